@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "plumbline/complex.hpp"
+
+namespace plumbline {
+
+/// A sparse matrix with small integer entries; rows are the lower-dimensional cells.
+using ChainMatrix = Eigen::SparseMatrix<int>;
+
+/// The boundary operator d1, vertices x edges: -1 at an edge's tail, +1 at its head.
+ChainMatrix boundary_1(const Incidences& complex, std::size_t vertex_count);
+/// The boundary operator d2, edges x faces (the unbounded face is column 0): the number of times
+/// that the face's cycles run along the edge minus against it. The entries of an antenna cancel to
+/// no entry.
+ChainMatrix boundary_2(const Incidences& complex);
+
+/// Characteristic matrices of LAR, unsigned, entries 0 and 1. Rows: edges (EV), faces (FV, FE).
+/// Antennas and isolated vertices count as incident to their face.
+ChainMatrix characteristic_ev(const Incidences& complex, std::size_t vertex_count);
+ChainMatrix characteristic_fv(const Incidences& complex, std::size_t vertex_count);
+ChainMatrix characteristic_fe(const Incidences& complex);
+
+}  // namespace plumbline

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plumbline/complex.hpp"
+
+namespace plumbline {
+
+/// What kind of cell a finding is about.
+enum class CellKind { Vertex, Edge, Face, Hole, Complex };
+
+/// How the float result differs from the exact complex.
+enum class Disagreement {
+  Invalid,      ///< the float result by itself breaks an invariant of a complex
+  Missing,      ///< an exact cell has no float counterpart
+  Extra,        ///< a float cell has no exact counterpart
+  Merged,       ///< several exact cells are one float cell
+  Split,        ///< one exact cell is several float cells
+  Reshaped,     ///< a face or hole corresponds, but its boundary has other cells
+  WrongParent,  ///< a face or component corresponds, but lies in another face
+};
+std::string to_text(CellKind kind);
+std::string to_text(Disagreement disagreement);
+
+/// One disagreement. Numbered from 1 by its position in Crosscheck::findings.
+struct Finding {
+  CellKind kind = CellKind::Complex;
+  Disagreement disagreement = Disagreement::Invalid;
+  std::string message;                   ///< one sentence
+  Point where;                           ///< exact place to look at
+  std::vector<std::size_t> exact_cells;  ///< indices of cells of `kind` in the exact complex
+  std::vector<std::size_t> float_cells;  ///< indices of cells of `kind` in the float complex
+  std::optional<double> distance;        ///< how far things moved, in drawing units
+  std::vector<SegmentId> segments;       ///< the input segments involved, ascending
+};
+
+/// Numbers of cells, for the report.
+struct Counts {
+  std::size_t vertices = 0, edges = 0, faces = 0, holes = 0, isolated_vertices = 0;
+  std::size_t components = 0, antennas = 0, depth = 0;
+  friend bool operator==(const Counts&, const Counts&) = default;
+};
+Counts counts(const Incidences& complex, std::size_t vertex_count);
+
+struct Crosscheck {
+  double tolerance = 0;
+  Counts exact_counts, float_counts;
+  std::size_t matched_vertices = 0, matched_edges = 0, matched_faces = 0;
+  double largest_displacement = 0;  ///< of a matched vertex
+  bool float_valid = false;         ///< no finding of kind Invalid
+  std::vector<Finding> findings;    ///< Invalid first, then vertices, edges, faces, holes
+
+  /// The two agree: the float result is a valid complex and every cell matches one to one.
+  bool agree() const { return findings.empty(); }
+};
+
+/// Holds a float complex against the exact one of the same drawing. Two questions, kept apart: is
+/// the float result, its doubles taken as exact, a valid complex; and do vertices, edges, faces,
+/// holes and nesting match the exact ones one to one, vertices within `tolerance` (compared
+/// exactly)? Requires: both in canonical order. Order: findings do not depend on input order beyond
+/// SegmentIds. Throws: Error BadInput for a tolerance that is negative or not finite.
+Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
+                      double tolerance);
+
+}  // namespace plumbline

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace plumbline {
+
+/// Where something stands in an input file. Line and column count from 1; 0 means unknown.
+struct Place {
+  std::string file;
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// `file:line:column`, leaving out what is unknown.
+std::string to_text(const Place& place);
+
+/// Why a job could not be done.
+enum class ErrorCode {
+  BadInput,  ///< the content of a file or an argument cannot be used
+  BadFile,   ///< a file cannot be opened, read or written
+  Limit,     ///< a stated limit is exceeded
+  Internal,  ///< a promise of this library is broken: please report it
+};
+
+/// Thrown when a job cannot be done. `what()` is one line: place, message and the offending text.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, std::string message, Place place = {}, std::string offending_text = {});
+
+  ErrorCode code() const { return code_; }
+  const Place& place() const { return place_; }
+  const std::string& message() const { return message_; }
+  /// The text that caused the error, shortened to 60 characters; empty where there is none.
+  const std::string& offending_text() const { return offending_text_; }
+
+ private:
+  ErrorCode code_;
+  Place place_;
+  std::string message_;
+  std::string offending_text_;
+};
+
+/// Throws Error with code Internal unless `promise` holds. Always on, in every build type.
+void ensure(bool promise, const char* what_is_broken);
+
+}  // namespace plumbline

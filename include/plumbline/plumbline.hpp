@@ -1,0 +1,15 @@
+#pragma once
+
+// The public interface in the order of the pipeline; cgal.hpp and boundary.hpp are apart.
+
+#include "plumbline/arrange.hpp"
+#include "plumbline/complex.hpp"
+#include "plumbline/crosscheck.hpp"
+#include "plumbline/error.hpp"
+#include "plumbline/geometry.hpp"
+#include "plumbline/lar.hpp"
+#include "plumbline/number.hpp"
+#include "plumbline/read.hpp"
+#include "plumbline/report.hpp"
+#include "plumbline/structure.hpp"
+#include "plumbline/write.hpp"

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "plumbline/geometry.hpp"
+
+namespace plumbline {
+
+/// Exact affine map of the plane: (x, y) -> (a x + c y + e, b x + d y + f), the order of SVG's
+/// matrix(a b c d e f).
+struct Affine {
+  Rational a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+
+  friend bool operator==(const Affine&, const Affine&) = default;
+};
+
+Point apply(const Affine& map, const Point& p);
+/// The map that applies `inner` first, then `outer`.
+Affine compose(const Affine& outer, const Affine& inner);
+Affine translation(const Rational& dx, const Rational& dy);
+Affine scaling(const Rational& sx, const Rational& sy);
+
+/// An affine map that stands for one whose entries are not rational. The bound is 0 where the map
+/// is exactly the one asked for.
+struct ApproximateAffine {
+  Affine map;
+  Rational bound;
+};
+
+/// Default bound on the angle by which `rotation` may deviate, in radians.
+inline constexpr double kAngleBound = 1e-15;
+
+/// Rotation about the origin by an angle in degrees (from +x towards +y). A multiple of 90 is
+/// exact. Any other angle is replaced by a rational rotation (((1-t^2)/(1+t^2), 2t/(1+t^2)) with
+/// rational t, so still an exact isometry) whose angle deviates by at most `bound` radians; the
+/// bound is in the result. The simplest such t within the bound is taken (a convergent of a
+/// continued fraction).
+ApproximateAffine rotation(const Rational& degrees, double bound = kAngleBound);
+/// Skew along x (x += y tan(angle)), along y. Exact for angles with a rational tangent among the
+/// multiples of 45 degrees; else the tangent is replaced by a rational one within `bound`
+/// (absolute). Throws: Error BadInput for odd multiples of 90 degrees.
+ApproximateAffine skew_x(const Rational& degrees, double bound = kAngleBound);
+ApproximateAffine skew_y(const Rational& degrees, double bound = kAngleBound);
+
+using StructId = Index<struct StructTag>;
+
+/// Segments of one drawing element, in the coordinates of the Struct that holds it.
+struct Model {
+  Source source;  ///< its `path` is filled in by `evaluate`
+  std::vector<Segment> segments;
+};
+
+/// LAR's Struct: an ordered body of models, affine maps and sub-structures. A map applies to all
+/// that follows it in the same body.
+struct Struct {
+  std::string name;
+  std::string category;
+  std::vector<std::variant<Affine, Model, StructId>> body;
+};
+
+/// A hierarchy of Structs, each stored once and referred to by index, with what its reader refused
+/// and replaced.
+struct Structure {
+  std::vector<std::string> files;
+  std::vector<Struct> structs;
+  StructId root;
+  std::vector<Rejected> rejected;
+  std::vector<Replacement> ledger;
+};
+
+/// All models of the structure in traversal order, mapped by the product of the maps above them.
+/// **Exact**. Zero-length segments go to `rejected`. No recursion: depth is limited by memory only.
+/// Throws: Error BadInput for a cycle of references, naming its path. Source: larstruct 2015, 4.1.
+SegmentSet evaluate(const Structure& structure);
+
+}  // namespace plumbline

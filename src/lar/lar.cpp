@@ -1,0 +1,1 @@
+#include "plumbline/lar.hpp"
