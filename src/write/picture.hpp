@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plumbline/complex.hpp"
+
+namespace plumbline::picture {
+
+/// The colours of every picture: one calm colour for the drawing, a strong second one for findings.
+inline constexpr const char* kInk = "#1f2d3a";
+inline constexpr const char* kMark = "#d55e00";
+
+/// An upright box of the plane.
+struct Box {
+  PointD low;
+  PointD high;
+
+  double width() const { return high.x - low.x; }
+  double height() const { return high.y - low.y; }
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+/// The least box around both boxes.
+Box hull(const Box& a, const Box& b);
+/// The box of the vertices. Degenerate: no vertex gives the unit square; a box of no extent is
+/// widened to one.
+Box bounds(const FloatComplex& complex);
+/// The box, wider on each side by `fraction` of its longer side.
+Box widened(const Box& box, double fraction);
+
+/// Where a drawing stands in a picture: p is drawn at (p - origin) * scale + place, rounded to
+/// 1 / `steps` (0: not rounded). The default draws in the drawing's own coordinates.
+struct Frame {
+  PointD origin;
+  PointD place;
+  double scale = 1;
+  double steps = 0;
+
+  PointD operator()(const PointD& p) const;
+};
+
+/// The frame that shows `content` as large as possible in the middle of `panel`.
+Frame fit(const Box& content, const Box& panel);
+
+/// "x y" with the shortest decimals that read back as the same doubles.
+std::string coordinates(const PointD& p);
+
+/// Cells drawn in the second colour.
+struct Marks {
+  std::vector<FaceId> faces;
+  std::vector<EdgeId> edges;
+  std::vector<VertexId> vertices;
+};
+
+/// The width of an edge's line that suits a picture of this box (in the same units).
+double pen_width(const Box& box);
+
+/// The complex as SVG elements: faces filled by depth (the unbounded face not; holes are cut out),
+/// edges as thin lines, antennas dashed, isolated vertices as dots, marked cells on top in the
+/// second colour. y runs downwards, as in the drawing. **Rounded**. Requires: `canonical` was
+/// called, finite coordinates; the complex need not be valid. Cost: O(V + E + F).
+std::string panel(const FloatComplex& complex, const Frame& frame, double pen,
+                  const Marks& marks = {});
+
+}  // namespace plumbline::picture
