@@ -1,0 +1,30 @@
+#pragma once
+
+#include "plumbline/complex.hpp"
+
+namespace plumbline {
+
+/// Collects violations, at most kMaxViolations of each kind.
+class Violations {
+ public:
+  void add(Violation violation);
+  bool has(Invariant invariant) const { return counts_[static_cast<std::size_t>(invariant)] != 0; }
+  std::vector<Violation> take() { return std::move(list_); }
+
+ private:
+  static constexpr std::size_t kKinds = static_cast<std::size_t>(Invariant::Coverage) + 1;
+  std::size_t counts_[kKinds] = {};
+  std::vector<Violation> list_;
+};
+
+/// Invariants of the incidences alone: Index, HalfedgeInCycle, CycleClosed, BoundaryOfBoundary, Euler.
+void validate_incidences(const ExactComplex& complex, Violations& violations);
+/// Invariants of the graph in the plane: DuplicateVertex, DuplicateEdge, VertexOnEdge, Crossing.
+void validate_graph(const ExactComplex& complex, Violations& violations);
+/// Invariants of the faces in the plane: Orientation, CyclicOrder, Area.
+void validate_faces(const ExactComplex& complex, Violations& violations);
+/// Nesting: each component lies in the face that its hole (or isolated vertex) belongs to. Requires: a
+/// valid graph.
+void validate_nesting(const ExactComplex& complex, Violations& violations);
+
+}  // namespace plumbline

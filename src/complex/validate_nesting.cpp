@@ -1,0 +1,74 @@
+// A component lies in the face that is just below its least vertex, as far as the other components are
+// concerned: none of its own edges passes below that vertex. A scan line goes over the components from
+// left to right and keeps the edges that it may still meet.
+
+#include <algorithm>
+
+#include "complex/scan_line.hpp"
+#include "complex/validate.hpp"
+
+namespace plumbline {
+namespace {
+
+/// Least vertex of each component. Components are numbered by it, so they come in scan order.
+std::vector<VertexId> least_vertices(const ExactComplex& c) {
+  std::vector<VertexId> least(c.component_count());
+  for (std::size_t v = 0; v < c.vertices.size(); ++v) {
+    VertexId& first = least[c.vertex_component[v]];
+    if (!first.valid()) first = VertexId(v);
+  }
+  return least;
+}
+
+/// The face that each component lies in, computed from the graph alone.
+std::vector<FaceId> surrounding_faces(const ExactComplex& c) {
+  std::vector<FaceId> faces;
+  std::vector<EdgeId> active;
+  std::size_t next = 0;  // edges are sorted by tail
+  for (const VertexId v : least_vertices(c)) {
+    const Point& p = c.vertices[v];
+    const ScanLine line(c, p.x);
+    for (; next < c.edge_count() && c.vertices[c.edges[next].tail].x <= p.x; ++next) {
+      active.emplace_back(next);
+    }
+    std::erase_if(active, [&](EdgeId e) { return c.vertices[c.edges[e].head].x <= p.x; });
+    std::optional<EdgeId> highest;
+    for (const EdgeId e : active) {
+      if (line.passes_below(e, p) && (!highest || line.above(e, *highest))) highest = e;
+    }
+    faces.push_back(face_above(c, highest));
+  }
+  return faces;
+}
+
+/// How many holes and isolated vertices place each component in a face.
+std::vector<std::size_t> placements(const ExactComplex& c) {
+  std::vector<std::size_t> count(c.component_count(), 0);
+  for (const CycleId hole : c.face_holes.flat()) {
+    ++count[c.vertex_component[c.origin(c.cycles[hole].front())]];
+  }
+  for (const VertexId v : c.face_isolated_vertices.flat()) ++count[c.vertex_component[v]];
+  return count;
+}
+
+}  // namespace
+
+void validate_nesting(const ExactComplex& complex, Violations& violations) {
+  const std::vector<VertexId> least = least_vertices(complex);
+  const std::vector<std::size_t> placed = placements(complex);
+  const std::vector<FaceId> surrounding = surrounding_faces(complex);
+  for (std::size_t k = 0; k < least.size(); ++k) {
+    const auto report = [&](const std::string& message, std::vector<FaceId> faces) {
+      violations.add(
+          {Invariant::Nesting, message, complex.vertices[least[k]], {least[k]}, {}, std::move(faces)});
+    };
+    if (placed[k] != 1) {
+      report("a component is the hole of " + std::to_string(placed[k]) + " faces, not of one", {});
+    } else if (complex.component_parent[k] != surrounding[k]) {
+      report("a component is a hole of another face than the one that it lies in",
+             {complex.component_parent[k], surrounding[k]});
+    }
+  }
+}
+
+}  // namespace plumbline
