@@ -1,0 +1,115 @@
+// The reference engine, and everything of CGAL that the library instantiates. Short and obvious, never
+// tuned. Only aggregated `insert` is used: CGAL 5.5's `compute_subcurves` returns wrong answers.
+
+#include "plumbline/cgal.hpp"
+
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+
+#include "arrange/cgal_engine.hpp"
+
+namespace plumbline {
+
+static_assert(std::is_same_v<cgal::Kernel::FT::ET, Rational>,
+              "numbers cross to CGAL without conversion: link CGAL::CGAL, which selects mpq_class");
+
+namespace cgal {
+namespace {
+
+/// Ids of the cells of an arrangement, by their addresses.
+class Conversion {
+ public:
+  explicit Conversion(const Arrangement& arrangement) : arrangement_(arrangement) {}
+
+  ExactComplex convert() {
+    add_vertices();
+    add_edges();
+    // The unbounded face comes first.
+    add_face(arrangement_.unbounded_face());
+    for (auto f = arrangement_.faces_begin(); f != arrangement_.faces_end(); ++f) {
+      if (!f->is_unbounded()) add_face(f);
+    }
+    return canonical(std::move(complex_));
+  }
+
+ private:
+  void add_vertices() {
+    for (auto v = arrangement_.vertices_begin(); v != arrangement_.vertices_end(); ++v) {
+      vertex_[&*v] = VertexId(complex_.vertices.size());
+      complex_.vertices.push_back(from_cgal(v->point()));
+    }
+  }
+
+  void add_edges() {
+    for (auto e = arrangement_.edges_begin(); e != arrangement_.edges_end(); ++e) {
+      const EdgeId id(complex_.edges.size());
+      halfedge_[&*e] = halfedge(id, false);
+      halfedge_[&*e->twin()] = halfedge(id, true);
+      complex_.edges.push_back({vertex_.at(&*e->source()), vertex_.at(&*e->target())});
+      const auto& sources = e->curve().data();
+      complex_.edge_sources.push_back(std::vector<SegmentId>(sources.begin(), sources.end()));
+    }
+  }
+
+  template <class Circulator>
+  CycleId add_cycle(Circulator first) {
+    std::vector<HalfedgeId> cycle;
+    Circulator h = first;
+    do {
+      cycle.push_back(halfedge_.at(&*h));
+    } while (++h != first);
+    complex_.cycles.push_back(cycle);
+    return CycleId(complex_.cycles.size() - 1);
+  }
+
+  void add_face(Arrangement::Face_const_handle face) {
+    complex_.face_outer.push_back(face->has_outer_ccb() ? add_cycle(face->outer_ccb()) : CycleId());
+    std::vector<CycleId> holes;
+    for (auto hole = face->inner_ccbs_begin(); hole != face->inner_ccbs_end(); ++hole) {
+      holes.push_back(add_cycle(*hole));
+    }
+    complex_.face_holes.push_back(holes);
+    std::vector<VertexId> isolated;
+    for (auto v = face->isolated_vertices_begin(); v != face->isolated_vertices_end(); ++v) {
+      isolated.push_back(vertex_.at(&*v));
+    }
+    complex_.face_isolated_vertices.push_back(isolated);
+  }
+
+  const Arrangement& arrangement_;
+  ExactComplex complex_;
+  std::unordered_map<const void*, VertexId> vertex_;
+  std::unordered_map<const void*, HalfedgeId> halfedge_;
+};
+
+}  // namespace
+
+Kernel::Point_2 to_cgal(const Point& p) { return {Kernel::FT(p.x), Kernel::FT(p.y)}; }
+
+Kernel::Segment_2 to_cgal(const Segment& s) { return {to_cgal(s.a), to_cgal(s.b)}; }
+
+Point from_cgal(const Kernel::Point_2& p) {
+  const auto& exact = CGAL::exact(p);  // lives as long as p
+  return {exact.x(), exact.y()};
+}
+
+Arrangement arrangement(const SegmentSet& input) {
+  std::vector<Traits::Curve_2> curves;
+  curves.reserve(input.segments.size());
+  for (std::size_t s = 0; s < input.segments.size(); ++s) {
+    curves.emplace_back(to_cgal(input.segments[s]), SegmentId(s));
+  }
+  Arrangement result;
+  CGAL::insert(result, curves.begin(), curves.end());
+  for (const Point& p : input.points) CGAL::insert_point(result, to_cgal(p));
+  return result;
+}
+
+ExactComplex to_complex(const Arrangement& arrangement) { return Conversion(arrangement).convert(); }
+
+}  // namespace cgal
+
+ExactComplex cgal_engine(const SegmentSet& input) { return cgal::to_complex(cgal::arrangement(input)); }
+
+}  // namespace plumbline
