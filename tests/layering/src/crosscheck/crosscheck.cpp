@@ -1,0 +1,7 @@
+// Found: CGAL, directly and through its public header.
+#include <CGAL/Epeck.h>
+
+#include "plumbline/cgal.hpp"
+// Allowed.
+#include "arrange/sweep.hpp"
+#include "plumbline/lar.hpp"
