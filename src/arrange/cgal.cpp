@@ -1,5 +1,6 @@
-// The reference engine, and everything of CGAL that the library instantiates. Short and obvious, never
-// tuned. Only aggregated `insert` is used: CGAL 5.5's `compute_subcurves` returns wrong answers.
+// The reference engine, and everything of CGAL that the library instantiates. Short and obvious,
+// never tuned. Only aggregated `insert` is used: CGAL 5.5's `compute_subcurves` returns wrong
+// answers.
 
 #include "plumbline/cgal.hpp"
 
@@ -106,10 +107,14 @@ Arrangement arrangement(const SegmentSet& input) {
   return result;
 }
 
-ExactComplex to_complex(const Arrangement& arrangement) { return Conversion(arrangement).convert(); }
+ExactComplex to_complex(const Arrangement& arrangement) {
+  return Conversion(arrangement).convert();
+}
 
 }  // namespace cgal
 
-ExactComplex cgal_engine(const SegmentSet& input) { return cgal::to_complex(cgal::arrangement(input)); }
+ExactComplex cgal_engine(const SegmentSet& input) {
+  return cgal::to_complex(cgal::arrangement(input));
+}
 
 }  // namespace plumbline

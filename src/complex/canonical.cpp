@@ -43,7 +43,8 @@ void ensure_indices(const Incidences& c, std::size_t vertex_count) {
   for (const HalfedgeId h : c.cycles.flat()) {
     ensure(h < 2 * c.edges.size(), "a cycle consists of halfedges");
   }
-  for (std::size_t i = 0; i < c.cycles.size(); ++i) ensure(!c.cycles[i].empty(), "no cycle is empty");
+  for (std::size_t i = 0; i < c.cycles.size(); ++i)
+    ensure(!c.cycles[i].empty(), "no cycle is empty");
   for (std::size_t f = 1; f < c.face_outer.size(); ++f) {
     ensure(c.face_outer[f] < c.cycles.size(), "a bounded face has an outer boundary");
   }

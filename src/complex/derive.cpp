@@ -51,8 +51,8 @@ void derive_parents(Incidences& c) {
   }
 }
 
-/// Depths from the unbounded face inwards. A face that is not reached (only in a complex that nests in
-/// a circle) keeps depth 0.
+/// Depths from the unbounded face inwards. A face that is not reached (only in a complex that nests
+/// in a circle) keeps depth 0.
 void derive_depths(Incidences& c) {
   std::vector<std::vector<FaceId>> children(c.face_count());
   for (std::size_t f = 1; f < c.face_count(); ++f) children[c.parent(FaceId(f))].emplace_back(f);

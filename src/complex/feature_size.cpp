@@ -1,5 +1,6 @@
-// Both minima are found by looking only at pairs within a window as wide as the best distance so far.
-// Windows are measured in doubles and widened beyond their rounding error; distances are exact.
+// Both minima are found by looking only at pairs within a window as wide as the best distance so
+// far. Windows are measured in doubles and widened beyond their rounding error; distances are
+// exact.
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,9 @@
 namespace plumbline {
 namespace {
 
-/// Upper bound of a distance, given its exact square, on coordinates of absolute value up to `extent`.
-/// Nearest doubles of two coordinates differ from their exact difference by at most 4 half-ulps of the
-/// extent; the relative margin covers the square root.
+/// Upper bound of a distance, given its exact square, on coordinates of absolute value up to
+/// `extent`. Nearest doubles of two coordinates differ from their exact difference by at most 4
+/// half-ulps of the extent; the relative margin covers the square root.
 double window(const Rational& squared, double extent) {
   constexpr double kRelative = 1 + 8 * std::numeric_limits<double>::epsilon();
   return std::sqrt(nearest_double(squared)) * kRelative +
@@ -30,7 +31,8 @@ class Search {
   }
 
   void vertex_vertex(FeatureSize& size) const {
-    for (std::size_t e = 0; e < c_.edge_count(); ++e) offer(size, c_.edges[e].tail, c_.edges[e].head);
+    for (std::size_t e = 0; e < c_.edge_count(); ++e)
+      offer(size, c_.edges[e].tail, c_.edges[e].head);
     double reach = window(size.squared_vertex_vertex, extent_);
     for (std::size_t v = 0; v < points_.size(); ++v) {
       for (std::size_t w = v + 1; w < points_.size() && points_[w].x - points_[v].x <= reach; ++w) {
@@ -43,14 +45,14 @@ class Search {
   }
 
   void vertex_edge(FeatureSize& size) const {
-    // The distance of an edge from the ends of its neighbours is at most the neighbour's length, so the
-    // least vertex-vertex distance need not be an upper bound; start from the whole extent.
+    // The distance of an edge from the ends of its neighbours is at most the neighbour's length, so
+    // the least vertex-vertex distance need not be an upper bound; start from the whole extent.
     double reach = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < c_.edge_count(); ++i) {
       const EdgeId e(i);
       const PointD &a = points_[c_.edges[e].tail], &b = points_[c_.edges[e].head];
-      const auto first = std::partition_point(
-          points_.begin(), points_.end(), [&](const PointD& p) { return p.x < a.x - reach; });
+      const auto first = std::partition_point(points_.begin(), points_.end(),
+                                              [&](const PointD& p) { return p.x < a.x - reach; });
       for (auto p = first; p != points_.end() && p->x <= b.x + reach; ++p) {
         if (p->y < std::min(a.y, b.y) - reach || p->y > std::max(a.y, b.y) + reach) continue;
         if (offer(size, VertexId(static_cast<std::size_t>(p - points_.begin())), e)) {

@@ -1,6 +1,6 @@
-// A horizontal line half-way between two successive heights of the face's vertices meets its boundary
-// only inside edges. Along it, real boundary edges alternately enter and leave the face; antennas only
-// divide it. The middle of the widest piece inside is strictly interior.
+// A horizontal line half-way between two successive heights of the face's vertices meets its
+// boundary only inside edges. Along it, real boundary edges alternately enter and leave the face;
+// antennas only divide it. The middle of the widest piece inside is strictly interior.
 
 #include <algorithm>
 #include <utility>
@@ -44,7 +44,8 @@ struct Meeting {
 }  // namespace
 
 Point interior_point(const ExactComplex& complex, FaceId f) {
-  ensure(f != kUnbounded && f < complex.face_count(), "an interior point is asked of a bounded face");
+  ensure(f != kUnbounded && f < complex.face_count(),
+         "an interior point is asked of a bounded face");
   const std::vector<HalfedgeId> boundary = boundary_halfedges(complex, f);
   const Rational y = scan_height(complex, f, boundary);
   std::vector<Meeting> meetings;
@@ -52,7 +53,8 @@ Point interior_point(const ExactComplex& complex, FaceId f) {
     const Point& p = complex.vertices[complex.origin(h)];
     const Point& q = complex.vertices[complex.target(h)];
     if ((p.y < y) == (q.y < y)) continue;
-    meetings.push_back({p.x + (q.x - p.x) * (y - p.y) / (q.y - p.y), complex.is_antenna(edge_of(h))});
+    meetings.push_back(
+        {p.x + (q.x - p.x) * (y - p.y) / (q.y - p.y), complex.is_antenna(edge_of(h))});
   }
   std::sort(meetings.begin(), meetings.end(),
             [](const Meeting& a, const Meeting& b) { return a.x < b.x; });

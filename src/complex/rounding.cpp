@@ -1,5 +1,5 @@
-// Complexes between exact and double coordinates. Rounding may change the canonical order (two vertices
-// may coincide), so the result is put in canonical order anew.
+// Complexes between exact and double coordinates. Rounding may change the canonical order (two
+// vertices may coincide), so the result is put in canonical order anew.
 
 #include <utility>
 

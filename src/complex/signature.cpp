@@ -1,5 +1,5 @@
-// The bytes that are hashed are a text: numbers in lowest terms, one cell a line. It does not depend on
-// word size, byte order or compiler.
+// The bytes that are hashed are a text: numbers in lowest terms, one cell a line. It does not
+// depend on word size, byte order or compiler.
 
 #include <xxhash.h>
 
@@ -18,7 +18,8 @@ class Hasher {
     ensure(state_ != nullptr && XXH3_128bits_reset(state_.get()) == XXH_OK, "the hash starts");
   }
   void add(const std::string& text) {
-    ensure(XXH3_128bits_update(state_.get(), text.data(), text.size()) == XXH_OK, "the hash goes on");
+    ensure(XXH3_128bits_update(state_.get(), text.data(), text.size()) == XXH_OK,
+           "the hash goes on");
   }
   std::string digest() const {
     XXH128_canonical_t bytes;

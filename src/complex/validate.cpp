@@ -7,20 +7,34 @@ namespace plumbline {
 
 std::string to_text(Invariant invariant) {
   switch (invariant) {
-    case Invariant::Index: return "index";
-    case Invariant::HalfedgeInCycle: return "halfedge in cycle";
-    case Invariant::CycleClosed: return "cycle closed";
-    case Invariant::BoundaryOfBoundary: return "boundary of boundary";
-    case Invariant::Orientation: return "orientation";
-    case Invariant::Crossing: return "crossing";
-    case Invariant::VertexOnEdge: return "vertex on edge";
-    case Invariant::DuplicateVertex: return "duplicate vertex";
-    case Invariant::DuplicateEdge: return "duplicate edge";
-    case Invariant::CyclicOrder: return "cyclic order";
-    case Invariant::Nesting: return "nesting";
-    case Invariant::Euler: return "euler";
-    case Invariant::Area: return "area";
-    case Invariant::Coverage: return "coverage";
+    case Invariant::Index:
+      return "index";
+    case Invariant::HalfedgeInCycle:
+      return "halfedge in cycle";
+    case Invariant::CycleClosed:
+      return "cycle closed";
+    case Invariant::BoundaryOfBoundary:
+      return "boundary of boundary";
+    case Invariant::Orientation:
+      return "orientation";
+    case Invariant::Crossing:
+      return "crossing";
+    case Invariant::VertexOnEdge:
+      return "vertex on edge";
+    case Invariant::DuplicateVertex:
+      return "duplicate vertex";
+    case Invariant::DuplicateEdge:
+      return "duplicate edge";
+    case Invariant::CyclicOrder:
+      return "cyclic order";
+    case Invariant::Nesting:
+      return "nesting";
+    case Invariant::Euler:
+      return "euler";
+    case Invariant::Area:
+      return "area";
+    case Invariant::Coverage:
+      return "coverage";
   }
   return "unknown";
 }

@@ -17,14 +17,15 @@ class Violations {
   std::vector<Violation> list_;
 };
 
-/// Invariants of the incidences alone: Index, HalfedgeInCycle, CycleClosed, BoundaryOfBoundary, Euler.
+/// Invariants of the incidences alone: Index, HalfedgeInCycle, CycleClosed, BoundaryOfBoundary,
+/// Euler.
 void validate_incidences(const ExactComplex& complex, Violations& violations);
 /// Invariants of the graph in the plane: DuplicateVertex, DuplicateEdge, VertexOnEdge, Crossing.
 void validate_graph(const ExactComplex& complex, Violations& violations);
 /// Invariants of the faces in the plane: Orientation, CyclicOrder, Area.
 void validate_faces(const ExactComplex& complex, Violations& violations);
-/// Nesting: each component lies in the face that its hole (or isolated vertex) belongs to. Requires: a
-/// valid graph.
+/// Nesting: each component lies in the face that its hole (or isolated vertex) belongs to.
+/// Requires: a valid graph.
 void validate_nesting(const ExactComplex& complex, Violations& violations);
 
 }  // namespace plumbline

@@ -49,8 +49,11 @@ class Coverage {
     }
     if (reached != last) {
       violations_.add({Invariant::Coverage,
-                       "the edges of segment " + std::to_string(s) + " do not reach its end", last, {},
-                       edges, {}});
+                       "the edges of segment " + std::to_string(s) + " do not reach its end",
+                       last,
+                       {},
+                       edges,
+                       {}});
     }
   }
 

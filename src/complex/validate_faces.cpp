@@ -9,13 +9,21 @@ void check_orientation(const ExactComplex& c, const std::vector<Rational>& areas
                        Violations& violations) {
   for (std::size_t f = 0; f < c.face_count(); ++f) {
     if (c.face_outer[f].valid() && areas[c.face_outer[f]] <= 0) {
-      violations.add({Invariant::Orientation, "an outer boundary does not run counter-clockwise",
-                      c.vertices[c.origin(c.cycles[c.face_outer[f]].front())], {}, {}, {FaceId(f)}});
+      violations.add({Invariant::Orientation,
+                      "an outer boundary does not run counter-clockwise",
+                      c.vertices[c.origin(c.cycles[c.face_outer[f]].front())],
+                      {},
+                      {},
+                      {FaceId(f)}});
     }
     for (const CycleId hole : c.face_holes[f]) {
       if (areas[hole] <= 0) continue;
-      violations.add({Invariant::Orientation, "a hole does not run clockwise",
-                      c.vertices[c.origin(c.cycles[hole].front())], {}, {}, {FaceId(f)}});
+      violations.add({Invariant::Orientation,
+                      "a hole does not run clockwise",
+                      c.vertices[c.origin(c.cycles[hole].front())],
+                      {},
+                      {},
+                      {FaceId(f)}});
     }
   }
 }
@@ -34,7 +42,8 @@ class Direction {
   Rational dx_, dy_;
 };
 
-/// The halfedge after h in its cycle must be the first one clockwise from h's twin around h's target.
+/// The halfedge after h in its cycle must be the first one clockwise from h's twin around h's
+/// target.
 void check_cyclic_order(const ExactComplex& c, Violations& violations) {
   std::vector<HalfedgeId> next(2 * c.edge_count());
   for (std::size_t i = 0; i < c.cycles.size(); ++i) {
@@ -55,14 +64,20 @@ void check_cyclic_order(const ExactComplex& c, Violations& violations) {
       const HalfedgeId clockwise = around[(k + around.size() - 1) % around.size()].second;
       const HalfedgeId arriving = twin(around[k].second);
       if (next[arriving] == clockwise) continue;
-      violations.add({Invariant::CyclicOrder, "a cycle does not turn to the next edge clockwise",
-                      c.vertices[v], {VertexId(v)}, {edge_of(arriving), edge_of(clockwise)}, {}});
+      violations.add({Invariant::CyclicOrder,
+                      "a cycle does not turn to the next edge clockwise",
+                      c.vertices[v],
+                      {VertexId(v)},
+                      {edge_of(arriving), edge_of(clockwise)},
+                      {}});
     }
   }
 }
 
-/// The outer boundaries in a component enclose together what its hole in the parent face leaves out.
-void check_areas(const ExactComplex& c, const std::vector<Rational>& areas, Violations& violations) {
+/// The outer boundaries in a component enclose together what its hole in the parent face leaves
+/// out.
+void check_areas(const ExactComplex& c, const std::vector<Rational>& areas,
+                 Violations& violations) {
   std::vector<Rational> sum(c.component_count());
   std::vector<VertexId> somewhere(c.component_count());
   for (std::size_t i = 0; i < c.cycles.size(); ++i) {
@@ -73,8 +88,12 @@ void check_areas(const ExactComplex& c, const std::vector<Rational>& areas, Viol
   }
   for (std::size_t k = 0; k < sum.size(); ++k) {
     if (sum[k] == 0) continue;
-    violations.add({Invariant::Area, "the faces of a component do not add up to the area it encloses",
-                    c.vertices[somewhere[k]], {somewhere[k]}, {}, {}});
+    violations.add({Invariant::Area,
+                    "the faces of a component do not add up to the area it encloses",
+                    c.vertices[somewhere[k]],
+                    {somewhere[k]},
+                    {},
+                    {}});
   }
 }
 

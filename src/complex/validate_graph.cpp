@@ -1,6 +1,6 @@
-// No two edges meet except at common vertices. Edges run from a vertex to a later one and are sorted by
-// their tails, so those that can meet edge i from behind are the next ones whose tail does not come
-// after i's head. Isolated vertices take part as edges of one point.
+// No two edges meet except at common vertices. Edges run from a vertex to a later one and are
+// sorted by their tails, so those that can meet edge i from behind are the next ones whose tail
+// does not come after i's head. Isolated vertices take part as edges of one point.
 
 #include <algorithm>
 #include <numeric>
@@ -10,8 +10,8 @@
 namespace plumbline {
 namespace {
 
-/// An edge or an isolated vertex; `low` and `high` bound y, as nearest doubles (rounding is monotone, so
-/// disjoint intervals belong to disjoint edges).
+/// An edge or an isolated vertex; `low` and `high` bound y, as nearest doubles (rounding is
+/// monotone, so disjoint intervals belong to disjoint edges).
 struct Item {
   VertexId tail, head;
   EdgeId edge;
@@ -26,7 +26,8 @@ std::vector<Item> items(const ExactComplex& c) {
     const auto [tail, head] = c.edges[e];
     list.push_back({tail, head, EdgeId(e), std::min(y[tail], y[head]), std::max(y[tail], y[head])});
   }
-  for (const VertexId v : c.face_isolated_vertices.flat()) list.push_back({v, v, EdgeId(), y[v], y[v]});
+  for (const VertexId v : c.face_isolated_vertices.flat())
+    list.push_back({v, v, EdgeId(), y[v], y[v]});
   std::stable_sort(list.begin(), list.end(), [&](const Item& i, const Item& j) {
     return c.vertices[i.tail] < c.vertices[j.tail];
   });
@@ -35,7 +36,8 @@ std::vector<Item> items(const ExactComplex& c) {
 
 class Check {
  public:
-  Check(const ExactComplex& complex, Violations& violations) : c_(complex), violations_(violations) {}
+  Check(const ExactComplex& complex, Violations& violations)
+      : c_(complex), violations_(violations) {}
 
   void pair(const Item& i, const Item& j) {
     if (i.edge.valid() && j.edge.valid() && i.tail == j.tail && i.head == j.head) {
@@ -62,7 +64,8 @@ class Check {
   bool vertex_inside(VertexId v, const Item& item, const Item& other) {
     if (!item.edge.valid() || at(v) == at(item.tail) || at(v) == at(item.head)) return false;
     if (!on_segment(at(item.tail), at(item.head), at(v))) return false;
-    report(Invariant::VertexOnEdge, "a vertex lies in the interior of an edge", at(v), {v}, item, other);
+    report(Invariant::VertexOnEdge, "a vertex lies in the interior of an edge", at(v), {v}, item,
+           other);
     return true;
   }
 
@@ -87,7 +90,8 @@ class Check {
       if (item->edge.valid()) edges.push_back(item->edge);
     }
     std::sort(edges.begin(), edges.end());
-    violations_.add({invariant, message, std::move(where), std::move(vertices), std::move(edges), {}});
+    violations_.add(
+        {invariant, message, std::move(where), std::move(vertices), std::move(edges), {}});
   }
 
   const ExactComplex& c_;
@@ -99,8 +103,12 @@ class Check {
 void validate_graph(const ExactComplex& complex, Violations& violations) {
   for (std::size_t v = 1; v < complex.vertices.size(); ++v) {
     if (complex.vertices[v - 1] < complex.vertices[v]) continue;
-    violations.add({Invariant::DuplicateVertex, "two vertices have the same coordinates",
-                    complex.vertices[v], {VertexId(v - 1), VertexId(v)}, {}, {}});
+    violations.add({Invariant::DuplicateVertex,
+                    "two vertices have the same coordinates",
+                    complex.vertices[v],
+                    {VertexId(v - 1), VertexId(v)},
+                    {},
+                    {}});
   }
   Check check(complex, violations);
   const std::vector<Item> sorted = items(complex);

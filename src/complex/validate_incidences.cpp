@@ -9,8 +9,8 @@ namespace {
 bool canonical_sizes(const ExactComplex& c) {
   return !c.face_outer.empty() && !c.face_outer[0].valid() &&
          c.edge_sources.size() == c.edge_count() && c.face_holes.size() == c.face_count() &&
-         c.face_isolated_vertices.size() == c.face_count() && c.cycle_face.size() == c.cycles.size() &&
-         c.halfedge_face.size() == 2 * c.edge_count() &&
+         c.face_isolated_vertices.size() == c.face_count() &&
+         c.cycle_face.size() == c.cycles.size() && c.halfedge_face.size() == 2 * c.edge_count() &&
          c.vertex_component.size() == c.vertices.size() && c.face_depth.size() == c.face_count();
 }
 
@@ -22,8 +22,12 @@ void check_indices(const ExactComplex& c, Violations& violations) {
   for (std::size_t e = 0; e < c.edge_count(); ++e) {
     const auto [tail, head] = c.edges[e];
     if (tail < head && head < c.vertices.size()) continue;
-    violations.add({Invariant::Index, "an edge does not run from a vertex to a later one",
-                    tail < c.vertices.size() ? c.vertices[tail] : Point{}, {}, {EdgeId(e)}, {}});
+    violations.add({Invariant::Index,
+                    "an edge does not run from a vertex to a later one",
+                    tail < c.vertices.size() ? c.vertices[tail] : Point{},
+                    {},
+                    {EdgeId(e)},
+                    {}});
   }
   const auto in_range = [](const auto& ids, std::size_t count) {
     return std::all_of(ids.begin(), ids.end(), [&](auto id) { return id < count; });
@@ -47,7 +51,10 @@ void check_halfedges(const ExactComplex& c, Violations& violations) {
     if (times[h] == 1) continue;
     violations.add({Invariant::HalfedgeInCycle,
                     "a halfedge is in " + std::to_string(times[h]) + " cycles of faces, not in one",
-                    c.vertices[c.origin(HalfedgeId(h))], {}, {edge_of(HalfedgeId(h))}, {}});
+                    c.vertices[c.origin(HalfedgeId(h))],
+                    {},
+                    {edge_of(HalfedgeId(h))},
+                    {}});
   }
 }
 
@@ -57,9 +64,12 @@ void check_cycles(const ExactComplex& c, Violations& violations) {
     for (std::size_t k = 0; k < cycle.size(); ++k) {
       const HalfedgeId h = cycle[k], next = cycle[(k + 1) % cycle.size()];
       if (c.target(h) == c.origin(next)) continue;
-      violations.add({Invariant::CycleClosed, "a cycle jumps from one vertex to another",
-                      c.vertices[c.target(h)], {c.target(h), c.origin(next)},
-                      {edge_of(h), edge_of(next)}, {c.cycle_face[i]}});
+      violations.add({Invariant::CycleClosed,
+                      "a cycle jumps from one vertex to another",
+                      c.vertices[c.target(h)],
+                      {c.target(h), c.origin(next)},
+                      {edge_of(h), edge_of(next)},
+                      {c.cycle_face[i]}});
     }
   }
 }
@@ -70,8 +80,12 @@ void check_boundary_of_boundary(const ExactComplex& c, Violations& violations) {
     for (ChainMatrix::InnerIterator entry(product, f); entry; ++entry) {
       if (entry.value() == 0) continue;
       const VertexId v(static_cast<std::size_t>(entry.row()));
-      violations.add({Invariant::BoundaryOfBoundary, "the boundary of a face has a boundary",
-                      c.vertices[v], {v}, {}, {FaceId(static_cast<std::size_t>(f))}});
+      violations.add({Invariant::BoundaryOfBoundary,
+                      "the boundary of a face has a boundary",
+                      c.vertices[v],
+                      {v},
+                      {},
+                      {FaceId(static_cast<std::size_t>(f))}});
     }
   }
 }
@@ -79,10 +93,13 @@ void check_boundary_of_boundary(const ExactComplex& c, Violations& violations) {
 void check_euler(const ExactComplex& c, Violations& violations) {
   if (c.vertices.size() + c.face_count() == c.edge_count() + 1 + c.component_count()) return;
   violations.add({Invariant::Euler,
-                  "V - E + F = 1 + C does not hold for V " + std::to_string(c.vertices.size()) + ", E " +
-                      std::to_string(c.edge_count()) + ", F " + std::to_string(c.face_count()) +
-                      ", C " + std::to_string(c.component_count()),
-                  {}, {}, {}, {}});
+                  "V - E + F = 1 + C does not hold for V " + std::to_string(c.vertices.size()) +
+                      ", E " + std::to_string(c.edge_count()) + ", F " +
+                      std::to_string(c.face_count()) + ", C " + std::to_string(c.component_count()),
+                  {},
+                  {},
+                  {},
+                  {}});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// A component lies in the face that is just below its least vertex, as far as the other components are
-// concerned: none of its own edges passes below that vertex. A scan line goes over the components from
-// left to right and keeps the edges that it may still meet.
+// A component lies in the face that is just below its least vertex, as far as the other components
+// are concerned: none of its own edges passes below that vertex. A scan line goes over the
+// components from left to right and keeps the edges that it may still meet.
 
 #include <algorithm>
 
@@ -59,8 +59,12 @@ void validate_nesting(const ExactComplex& complex, Violations& violations) {
   const std::vector<FaceId> surrounding = surrounding_faces(complex);
   for (std::size_t k = 0; k < least.size(); ++k) {
     const auto report = [&](const std::string& message, std::vector<FaceId> faces) {
-      violations.add(
-          {Invariant::Nesting, message, complex.vertices[least[k]], {least[k]}, {}, std::move(faces)});
+      violations.add({Invariant::Nesting,
+                      message,
+                      complex.vertices[least[k]],
+                      {least[k]},
+                      {},
+                      std::move(faces)});
     };
     if (placed[k] != 1) {
       report("a component is the hole of " + std::to_string(placed[k]) + " faces, not of one", {});
