@@ -1,0 +1,15 @@
+#include "plumbline/write.hpp"
+#include "write/picture.hpp"
+
+namespace plumbline {
+
+std::string to_svg(const ExactComplex& complex) {
+  constexpr double kMargin = 0.02;
+  const FloatComplex rounded = nearest(complex);
+  const picture::Box box = picture::widened(picture::bounds(rounded), kMargin);
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" + picture::coordinates(box.low) +
+         ' ' + picture::coordinates({box.width(), box.height()}) + "\">\n" +
+         picture::panel(rounded, picture::Frame(), picture::pen_width(box)) + "</svg>\n";
+}
+
+}  // namespace plumbline

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+
+#include <string>
+#include <string_view>
+
+#include "plumbline/geometry.hpp"
+#include "write/escape.hpp"
+
+namespace plumbline {
+
+/// RapidJSON's writer, with the values that our files are made of. Arrays stand on one line.
+class JsonWriter : public rapidjson::PrettyWriter<rapidjson::StringBuffer> {
+ public:
+  JsonWriter() {
+    Reset(buffer_);
+    SetIndent(' ', 1);
+    SetFormatOptions(rapidjson::kFormatSingleLineArray);
+  }
+
+  void text(std::string_view value) {
+    const std::string utf8 = valid_utf8(value);
+    String(utf8.data(), static_cast<rapidjson::SizeType>(utf8.size()));
+  }
+  /// The shortest decimal that reads back as the same double; an infinity as null.
+  void number(double value) {
+    const std::string digits = shortest_text(value);
+    if (digits.find_first_of("in") != std::string::npos) {
+      Null();
+    } else {
+      RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
+    }
+  }
+  void count(std::size_t value) { Uint64(value); }
+  /// A string: a decimal or "p/q".
+  void exact(const Rational& value) { text(exact_text(value)); }
+  /// The array of [count...] of a list of indices.
+  template <class Range>
+  void counts(const Range& values) {
+    StartArray();
+    for (const auto value : values) count(value);
+    EndArray();
+  }
+
+  std::string take() { return std::string(buffer_.GetString(), buffer_.GetSize()) + '\n'; }
+
+ private:
+  rapidjson::StringBuffer buffer_;
+};
+
+/// The members that describe where a drawing's items come from: "files", "sources", "segments",
+/// "rejected", "ledger". Written into the open object. Documented in docs/json.md.
+void write_input(JsonWriter& json, const SegmentSet& input);
+
+}  // namespace plumbline
