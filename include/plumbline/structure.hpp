@@ -36,7 +36,8 @@ inline constexpr double kAngleBound = 1e-15;
 /// exact. Any other angle is replaced by a rational rotation (((1-t^2)/(1+t^2), 2t/(1+t^2)) with
 /// rational t, so still an exact isometry) whose angle deviates by at most `bound` radians; the
 /// bound is in the result. The simplest such t within the bound is taken (a convergent of a
-/// continued fraction).
+/// continued fraction). Throws: Error BadInput for a bound that is not positive and finite; the
+/// same below.
 ApproximateAffine rotation(const Rational& degrees, double bound = kAngleBound);
 /// Skew along x (x += y tan(angle)), along y. Exact for angles with a rational tangent among the
 /// multiples of 45 degrees; else the tangent is replaced by a rational one within `bound`
@@ -45,6 +46,9 @@ ApproximateAffine skew_x(const Rational& degrees, double bound = kAngleBound);
 ApproximateAffine skew_y(const Rational& degrees, double bound = kAngleBound);
 
 using StructId = Index<struct StructTag>;
+
+/// Longest path that a Source holds, in bytes.
+inline constexpr std::size_t kMaxPathText = 1000;
 
 /// Segments of one drawing element, in the coordinates of the Struct that holds it.
 struct Model {
@@ -70,9 +74,18 @@ struct Structure {
   std::vector<Replacement> ledger;
 };
 
-/// All models of the structure in traversal order, mapped by the product of the maps above them.
-/// **Exact**. Zero-length segments go to `rejected`. No recursion: depth is limited by memory only.
-/// Throws: Error BadInput for a cycle of references, naming its path. Source: larstruct 2015, 4.1.
-SegmentSet evaluate(const Structure& structure);
+/// Largest size of one number, in bits, in a map that `evaluate` makes.
+inline constexpr std::size_t kMaxMapBits = std::size_t{1} << 17U;
+/// Largest size of a result of `evaluate`, in 64-bit words of its numbers (an integer coordinate or
+/// a decimal of up to 19 digits counts 2); shared Structs count each time that they are visited.
+inline constexpr std::size_t kMaxEvaluatedWords = std::size_t{1} << 28U;
+
+/// All models of the structure in traversal order, mapped by the product of the maps above them,
+/// each with a Source of its own whose path is the names of the Structs above it (the root's and
+/// empty ones left out; a path of more than kMaxPathText characters ends in "/..."). **Exact**.
+/// Zero-length segments go to `rejected`. No recursion: depth is limited by memory only. Throws:
+/// Error BadInput for a cycle of references, naming its path, and for a StructId out of range;
+/// Limit beyond kMaxMapBits and `max_words`. Source: larstruct 2015, 4.1.
+SegmentSet evaluate(const Structure& structure, std::size_t max_words = kMaxEvaluatedWords);
 
 }  // namespace plumbline
