@@ -287,7 +287,7 @@ TEST_CASE("a path that was cut short grows again from where it was") {
 TEST_CASE("structures that multiply beyond the limit are refused, up to it they are not") {
   std::vector<Struct> doubling(41);
   for (std::size_t i = 0; i < 40; ++i) doubling[i].body = {StructId(i + 1), StructId(i + 1)};
-  CHECK_THROWS_AS(evaluate(structure_of(doubling)), plumbline::Error);
+  CHECK_THROWS_AS(evaluate(structure_of(doubling), 10'000'000), plumbline::Error);
   // One item, and four integer coordinates of which one is 0: numerator and denominator each.
   const auto one = structure_of({{"", "", {model("1 1, 0 2")}}});
   CHECK_NOTHROW(evaluate(one, 1 + 7));
