@@ -60,7 +60,8 @@ Structure structure_of(std::vector<Struct> structs) {
 
 std::string to_text(const Affine& m) {
   std::string text;
-  for (const auto* x : {&m.a, &m.b, &m.c, &m.d, &m.e, &m.f}) text += plumbline::exact_text(*x) + " ";
+  for (const auto* x : {&m.a, &m.b, &m.c, &m.d, &m.e, &m.f})
+    text += plumbline::exact_text(*x) + " ";
   return text;
 }
 
