@@ -13,50 +13,72 @@ namespace plumbline::lar {
 
 /// The publication's radius of 0.001 on a drawing scaled to the unit square.
 inline constexpr double kDefaultRelativeRadius = 0.001;
+/// Least radius in units of the drawing's largest coordinate: 128 roundings. Below it, two floats
+/// that stand for the same point could stay apart.
+inline constexpr double kLeastRelativeRadius = 0x1p-46;
+/// Most rounds of splitting and merging. Drawings need two or three.
+inline constexpr std::size_t kMaxRounds = 50;
 
 struct Options {
-  /// Vertices no further apart than this are merged (transitively). In drawing units; by default
-  /// kDefaultRelativeRadius times the longer side of the drawing's box.
+  /// Vertices no further apart than this are merged (transitively), and an edge that passes a
+  /// vertex no further than this is led through it. In drawing units; by default
+  /// kDefaultRelativeRadius times the longer side of the drawing's box; raised to
+  /// kLeastRelativeRadius where it is less.
   std::optional<double> radius;
 };
 
 using Box = std::array<double, 4>;  ///< xmin, ymin, xmax, ymax
 
-/// A segment with double ends.
-struct SegmentD {
-  PointD a;
-  PointD b;
-  friend bool operator==(const SegmentD&, const SegmentD&) = default;
-};
-
-/// The graph of split segments: points and edges as pairs of point indices, each with its sources.
+/// A graph (V, EV) in the plane. An isolated input point is an edge from its vertex to itself that
+/// has no sources.
 struct Graph {
   std::vector<PointD> vertices;
   std::vector<Edge> edges;
-  std::vector<std::vector<SegmentId>> edge_sources;
+  Lists<SegmentId> edge_sources;  ///< per edge, ascending: the input segments that it is part of
+
+  friend bool operator==(const Graph&, const Graph&) = default;
+};
+
+/// A place where an edge is cut: the parameter from tail (0) to head (1) and the point there.
+struct Cut {
+  double parameter = 0;
+  PointD point;
 };
 
 /// What merging near vertices did.
 struct Pruning {
-  std::vector<PointD> vertices;                 ///< after merging
-  std::vector<VertexId> vertex_map;             ///< old vertex -> new vertex
-  std::vector<std::vector<VertexId>> clusters;  ///< the old vertices of each cluster of two or more
+  std::vector<PointD> vertices;      ///< after merging, ascending
+  std::vector<VertexId> vertex_map;  ///< old vertex -> new vertex
+  Lists<VertexId> clusters;          ///< the old vertices of each cluster of two or more
+};
+
+/// One round of splitting the edges of a graph and merging its vertices.
+struct Round {
+  std::vector<Box> boxes;  ///< per edge, grown by the radius
+  Lists<EdgeId> buckets;   ///< final buckets
+  Lists<Cut> cuts;         ///< per edge, ascending, none at its ends
+  Graph split;             ///< before pruning
+  Pruning pruning;
+  Graph simplified;  ///< after pruning, without zero and double edges
+
+  /// Nothing was cut or merged: no edges cross, no vertex is near another or near an edge.
+  bool idle() const { return cuts.flat().empty() && pruning.clusters.size() == 0; }
 };
 
 /// The output of every stage.
 struct Trace {
-  double radius = 0;
-  std::vector<SegmentD> segments;               ///< rounded to nearest doubles
-  std::vector<Box> boxes;                       ///< per segment
-  std::vector<std::vector<SegmentId>> buckets;  ///< final buckets
-  std::vector<std::vector<double>> parameters;  ///< per segment, ascending, in (0, 1)
-  Graph split;                                  ///< 1-complex before pruning
-  Pruning pruning;
-  Graph simplified;                              ///< after pruning, without zero and double edges
-  std::vector<std::vector<EdgeId>> biconnected;  ///< components of two or more edges
-  std::vector<EdgeId> bridges;                   ///< edges in no cycle (dangling edges too)
-  std::vector<std::vector<HalfedgeId>> cycles;   ///< of the face walk over `simplified`
-  std::vector<double> cycle_areas;               ///< signed
+  double radius = 0;  ///< in drawing units
+  /// The coordinates of all stages are the drawing's divided by 2^exponent; 0 unless the largest is
+  /// beyond 2^+-100.
+  int exponent = 0;
+  Graph drawing;              ///< the distinct segments in doubles, and the isolated points
+  std::vector<Round> rounds;  ///< the first is the publication's; repeated until one is idle
+  bool settled = false;  ///< whether the last round was idle; if not, kMaxRounds were not enough
+  Lists<EdgeId> biconnected;        ///< components of two or more edges
+  std::vector<EdgeId> bridges;      ///< edges in no cycle (dangling edges too)
+  Lists<HalfedgeId> edge_order;     ///< per vertex the halfedges that leave it, by angle
+  Lists<HalfedgeId> cycles;         ///< of the face walk over the last round's simplified graph
+  std::vector<double> cycle_areas;  ///< signed
 };
 
 struct Result {
@@ -65,11 +87,15 @@ struct Result {
 };
 
 /// The 2-complex that the float LAR pipeline makes of the segments. **Rounded** at every step.
-/// Degenerate: zero-length segments (after rounding) vanish; empty input gives the unbounded face
-/// alone; dangling edges and bridges stay, as antennas; the result may be no valid complex
-/// (crossing edges, wrong nesting): `validate(exact(result.complex))` tells. Order: canonical.
-/// Cost: about O(n log n + pairs that share a bucket). Throws: Error BadInput for a radius that is
-/// negative or not finite, or a coordinate beyond the largest double.
+/// Degenerate: what is shorter than the radius vanishes or closes; empty input gives the unbounded
+/// face alone; dangling edges and bridges stay, as antennas; isolated points off all edges stay.
+/// **Heuristic**: features smaller than the radius may be lost, and where rounds do not settle the
+/// result may be no valid complex (crossing edges, wrong nesting): `validate(exact(complex))`
+/// tells. Order: canonical; the complex does not depend on the order, direction or repetition of
+/// the segments (SegmentIds in `edge_sources` aside); it may depend on where the drawing lies and
+/// how it is turned or mirrored. Cost: O(n log n + pairs that share a bucket) per round. Throws:
+/// Error BadInput for a radius that is negative or not finite, or a coordinate beyond the largest
+/// double.
 Result arrange(const SegmentSet& input, const Options& options = {});
 
 }  // namespace plumbline::lar

@@ -1,0 +1,73 @@
+// Intersection of two segments. What lies within the radius is decided first, by distance; a proper
+// crossing is computed only where no end is that near, so that the parameters need no tolerance.
+
+#include <optional>
+
+#include "lar/points.hpp"
+#include "lar/stages.hpp"
+
+namespace plumbline::lar {
+namespace {
+
+double cross(const PointD& u, const PointD& v) { return u.x * v.y - u.y * v.x; }
+double dot(const PointD& u, const PointD& v) { return u.x * v.x + u.y * v.y; }
+PointD minus(const PointD& p, const PointD& q) { return {p.x - q.x, p.y - q.y}; }
+
+/// The parameter of the point of s nearest to p, if p is within the radius of it.
+std::optional<double> foot(const PointD& p, const SegmentD& s, double radius) {
+  const PointD direction = minus(s.b, s.a);
+  const PointD to_p = minus(p, s.a);
+  const double along = dot(to_p, direction);
+  const double squared_length = dot(direction, direction);
+  if (along <= 0) return near(p, s.a, radius) ? std::optional(0.0) : std::nullopt;
+  if (along >= squared_length) return near(p, s.b, radius) ? std::optional(1.0) : std::nullopt;
+  const double area = cross(direction, to_p);
+  if (area * area > radius * radius * squared_length) return std::nullopt;
+  return along / squared_length;
+}
+
+/// Cuts s at those ends of `other` that are near it; whether there are any, cut or not.
+bool cut_at_ends(const SegmentD& s, const SegmentD& other, double radius, std::vector<Cut>& cuts) {
+  bool touches = false;
+  for (const PointD& end : {other.a, other.b}) {
+    const std::optional<double> parameter = foot(end, s, radius);
+    if (!parameter) continue;
+    touches = true;
+    if (!near(end, s.a, radius) && !near(end, s.b, radius)) cuts.push_back({*parameter, end});
+  }
+  return touches;
+}
+
+/// The point of s at the parameter, from the nearer end. Never -0.
+PointD point_at(const SegmentD& s, double parameter) {
+  const PointD direction = minus(s.b, s.a);
+  if (parameter <= 0.5) {
+    return {s.a.x + parameter * direction.x + 0.0, s.a.y + parameter * direction.y + 0.0};
+  }
+  const double rest = 1 - parameter;
+  return {s.b.x - rest * direction.x + 0.0, s.b.y - rest * direction.y + 0.0};
+}
+
+}  // namespace
+
+Meeting meet(const SegmentD& first, const SegmentD& second, double radius) {
+  Meeting meeting;
+  const bool first_touched = cut_at_ends(first, second, radius, meeting.on_first);
+  const bool second_touched = cut_at_ends(second, first, radius, meeting.on_second);
+  if (first_touched || second_touched) return meeting;
+
+  const PointD first_direction = minus(first.b, first.a);
+  const PointD second_direction = minus(second.b, second.a);
+  const double determinant = cross(first_direction, second_direction);
+  if (determinant == 0) return meeting;
+  const PointD between = minus(second.a, first.a);
+  const double alpha = cross(between, second_direction) / determinant;
+  const double beta = cross(between, first_direction) / determinant;
+  if (!(alpha > 0 && alpha < 1 && beta > 0 && beta < 1)) return meeting;
+  const PointD point = point_at(first, alpha);
+  meeting.on_first.push_back({alpha, point});
+  meeting.on_second.push_back({beta, point});
+  return meeting;
+}
+
+}  // namespace plumbline::lar

@@ -1,0 +1,34 @@
+#include "lar/points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::lar {
+
+double squared_distance(const PointD& p, const PointD& q) {
+  const double dx = p.x - q.x;
+  const double dy = p.y - q.y;
+  return dx * dx + dy * dy;
+}
+
+bool near(const PointD& p, const PointD& q, double radius) {
+  return squared_distance(p, q) <= radius * radius;
+}
+
+double largest_coordinate(std::span<const PointD> points) {
+  double largest = 0;
+  for (const PointD& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return largest;
+}
+
+std::vector<PointD> sorted_unique(std::vector<PointD> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+VertexId find_vertex(std::span<const PointD> vertices, const PointD& p) {
+  return VertexId(std::lower_bound(vertices.begin(), vertices.end(), p) - vertices.begin());
+}
+
+}  // namespace plumbline::lar

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plumbline/complex.hpp"
+
+namespace plumbline::lar {
+
+double squared_distance(const PointD& p, const PointD& q);
+/// Whether two points are no further apart than the radius: the one rule for "near" of all stages.
+bool near(const PointD& p, const PointD& q, double radius);
+/// The largest absolute coordinate; 0 for no points.
+double largest_coordinate(std::span<const PointD> points);
+/// The points in ascending order, equal ones once.
+std::vector<PointD> sorted_unique(std::vector<PointD> points);
+/// The position of p. Requires: `vertices` ascending, p among them.
+VertexId find_vertex(std::span<const PointD> vertices, const PointD& p);
+
+}  // namespace plumbline::lar

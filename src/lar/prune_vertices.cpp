@@ -1,0 +1,99 @@
+// Merging of near vertices: the relation of nearness from a KD-tree, its transitive closure by
+// union-find, each class contracted to its centroid.
+
+#include <algorithm>
+#include <nanoflann.hpp>
+
+#include "lar/points.hpp"
+#include "lar/stages.hpp"
+#include "lar/union_find.hpp"
+
+namespace plumbline::lar {
+namespace {
+
+/// The points as nanoflann wants to see them.
+struct Cloud {
+  std::span<const PointD> points;
+
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    return axis == 0 ? points[i].x : points[i].y;
+  }
+  template <class BoundingBox>
+  bool kdtree_get_bbox(BoundingBox&) const {
+    return false;
+  }
+};
+using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t>;
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, 2, std::uint32_t>;
+
+/// Unites a point with all that are near it, as the tree's search reports them.
+struct UniteNear {
+  std::span<const PointD> points;
+  std::size_t point;
+  double radius;
+  UnionFind& classes;
+
+  bool full() const { return true; }
+  /// A little more than the squared radius: the tree adds up its distances with rounding.
+  double worstDist() const { return radius * radius * (1 + 1e-6); }
+  bool addPoint(double, std::uint32_t other) {
+    if (other < point && near(points[point], points[other], radius)) classes.unite(point, other);
+    return true;
+  }
+};
+
+/// The mean, relative to the first member so that what members have in common stays exact.
+PointD centroid(std::span<const PointD> points, std::span<const VertexId> members) {
+  const PointD& origin = points[members.front()];
+  double dx = 0, dy = 0;
+  for (VertexId v : members) {
+    dx += points[v].x - origin.x;
+    dy += points[v].y - origin.y;
+  }
+  const double n = static_cast<double>(members.size());
+  return {origin.x + dx / n + 0.0, origin.y + dy / n + 0.0};
+}
+
+/// The classes, ascending by their least member.
+std::vector<std::vector<VertexId>> near_classes(std::span<const PointD> points, double radius) {
+  const Cloud cloud{points};
+  const Tree tree(2, cloud);
+  UnionFind classes(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    UniteNear found{points, i, radius, classes};
+    const double query[2] = {points[i].x, points[i].y};
+    tree.findNeighbors(found, query, nanoflann::SearchParams());
+  }
+  std::vector<std::vector<VertexId>> members(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) members[classes.find(i)].push_back(VertexId(i));
+  std::erase_if(members, [](const auto& list) { return list.empty(); });
+  return members;
+}
+
+}  // namespace
+
+Pruning prune_vertices(std::span<const PointD> vertices, double radius) {
+  Pruning result;
+  if (vertices.empty()) return result;
+  struct Class {
+    PointD centroid;
+    std::vector<VertexId> members;
+  };
+  std::vector<Class> classes;
+  for (std::vector<VertexId>& members : near_classes(vertices, radius)) {
+    const PointD point = centroid(vertices, members);
+    classes.push_back({point, std::move(members)});
+  }
+  std::stable_sort(classes.begin(), classes.end(),
+                   [](const Class& s, const Class& t) { return s.centroid < t.centroid; });
+  result.vertex_map.resize(vertices.size());
+  for (const Class& c : classes) {
+    for (VertexId v : c.members) result.vertex_map[v] = VertexId(result.vertices.size());
+    result.vertices.push_back(c.centroid);
+    if (c.members.size() > 1) result.clusters.push_back(c.members);
+  }
+  return result;
+}
+
+}  // namespace plumbline::lar
