@@ -11,8 +11,8 @@ layer(number      error)
 layer(geometry    error number)
 layer(structure   error number geometry)
 layer(read        error number geometry structure)
-layer(complex     error number geometry)
-layer(boundary    error number geometry complex)
+layer(complex     error number geometry boundary)
+layer(boundary    error number geometry complex)         # a second header of src/complex
 layer(arrange     error number geometry structure read complex cgal)
 layer(cgal        error number geometry complex arrange) # plumbline/cgal.hpp and CGAL itself
 layer(lar         error number geometry complex)         # never arrange, never CGAL
