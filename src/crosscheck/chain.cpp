@@ -1,0 +1,77 @@
+// Looks for a chain of edges along a segment: depth first, always forward.
+
+#include "crosscheck/chain.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace plumbline::matching {
+namespace {
+
+class Search {
+ public:
+  Search(const Sides& sides, Side side, VertexId goal, const Segment& ab,
+         const std::vector<bool>& is_usable)
+      : sides_(sides), side_(side), goal_(goal), ab_(ab), is_usable_(is_usable) {}
+
+  std::vector<HalfedgeId> from(VertexId start) {
+    visited_.insert(start);
+    open(start);
+    std::vector<HalfedgeId> walk;
+    while (!stack_.empty()) {
+      const Step step = stack_.back();
+      stack_.pop_back();
+      walk.resize(step.depth);
+      walk.push_back(step.halfedge);
+      const VertexId v = sides_[side_].target(step.halfedge);
+      if (v == goal_) return walk;
+      if (!visited_.insert(v).second) continue;
+      depth_ = walk.size();
+      open(v);
+    }
+    return {};
+  }
+
+ private:
+  struct Step {
+    HalfedgeId halfedge;
+    std::size_t depth;
+  };
+
+  void open(VertexId v) {
+    const Rational reached = advance(v);
+    for (const HalfedgeId h : sides_.outgoing[side_][v]) {
+      if (!is_usable_[edge_of(h)]) continue;
+      const VertexId w = sides_[side_].target(h);
+      if (w == goal_ || (!visited_.contains(w) && advance(w) > reached && is_near(w)))
+        stack_.push_back({h, depth_});
+    }
+  }
+
+  /// How far along ab, times the squared length of ab.
+  Rational advance(VertexId v) const {
+    const Point& p = sides_.point(side_, v);
+    return (p.x - ab_.a.x) * (ab_.b.x - ab_.a.x) + (p.y - ab_.a.y) * (ab_.b.y - ab_.a.y);
+  }
+  bool is_near(VertexId v) const {
+    return squared_distance(sides_.point(side_, v), ab_.a, ab_.b) <= sides_.squared_tolerance;
+  }
+
+  const Sides& sides_;
+  const Side side_;
+  const VertexId goal_;
+  const Segment& ab_;
+  const std::vector<bool>& is_usable_;
+  std::unordered_set<std::size_t> visited_;
+  std::vector<Step> stack_;
+  std::size_t depth_ = 0;
+};
+
+}  // namespace
+
+std::vector<HalfedgeId> chain_along(const Sides& sides, Side side, VertexId p, VertexId q,
+                                    const Segment& ab, const std::vector<bool>& is_usable) {
+  return Search(sides, side, q, ab, is_usable).from(p);
+}
+
+}  // namespace plumbline::matching

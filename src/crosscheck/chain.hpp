@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "crosscheck/sides.hpp"
+
+namespace plumbline::matching {
+
+/// A walk on one side from vertex p to vertex q whose vertices in between lie within the tolerance
+/// of the segment ab and advance along it, over edges for which `is_usable` is set. Empty if there
+/// is none. **Exact**. Cost: the edges within the tolerance of ab.
+std::vector<HalfedgeId> chain_along(const Sides& sides, Side side, VertexId p, VertexId q,
+                                    const Segment& ab, const std::vector<bool>& is_usable);
+
+}  // namespace plumbline::matching

@@ -1,0 +1,52 @@
+// The cross-check: validity of the float result by itself, then the correspondence, step by step.
+
+#include "plumbline/crosscheck.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "crosscheck/steps.hpp"
+
+namespace plumbline {
+namespace {
+
+std::size_t matched(const auto& matches) {
+  return static_cast<std::size_t>(
+      std::count_if(matches.begin(), matches.end(), [](auto id) { return id.valid(); }));
+}
+
+}  // namespace
+
+Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
+                      double tolerance) {
+  const ExactComplex float_as_exact = exact(float_complex);
+  const matching::Sides sides = matching::make_sides(exact_complex, float_as_exact, tolerance);
+  Crosscheck result;
+  result.tolerance = tolerance;
+  result.exact_counts = counts(exact_complex, exact_complex.vertices.size());
+  result.float_counts = counts(float_complex, float_complex.vertices.size());
+  const auto append = [&](std::vector<Finding> findings) {
+    std::move(findings.begin(), findings.end(), std::back_inserter(result.findings));
+  };
+  const auto next_number = [&] { return result.findings.size() + 1; };
+
+  append(matching::invalidities(sides));
+  result.float_valid = result.findings.empty();
+  const matching::VertexMatch vertices = matching::match_vertices(sides, next_number());
+  append(vertices.findings);
+  const matching::EdgeMatch edges = matching::match_edges(sides, vertices, next_number());
+  append(edges.findings);
+  const matching::CycleMatch cycles = matching::match_cycles(sides, edges);
+  const matching::FaceMatch faces =
+      matching::match_faces(sides, edges, cycles, result.float_valid, next_number());
+  append(faces.findings);
+  append(matching::nesting(sides, vertices, edges, cycles, faces));
+
+  result.matched_vertices = matched(vertices.match[matching::kExact]);
+  result.matched_edges = matched(edges.match[matching::kExact]);
+  result.matched_faces = faces.same;
+  result.largest_displacement = vertices.largest_displacement;
+  return result;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,226 @@
+// Matches faces by their outer boundaries, and the rest by where their interior points lie.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "crosscheck/locate_faces.hpp"
+#include "crosscheck/steps.hpp"
+#include "plumbline/error.hpp"
+
+namespace plumbline::matching {
+namespace {
+
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// A cell of the side and one of the other side, the exact one first.
+std::pair<std::size_t, std::size_t> pair_of(Side side, std::size_t here, std::size_t there) {
+  return side == kExact ? std::pair(here, there) : std::pair(there, here);
+}
+
+class FaceMatcher {
+ public:
+  FaceMatcher(const Sides& sides, const EdgeMatch& edges, const CycleMatch& cycles,
+              bool float_is_valid, std::size_t first_number)
+      : sides_(sides),
+        edges_(edges),
+        cycles_(cycles),
+        float_is_valid_(float_is_valid),
+        first_number_(first_number) {
+    for (const Side side : kBothSides) {
+      const std::size_t count = sides[side].face_count();
+      result_.match[side].resize(count);
+      result_.group[side].assign(count, kNoGroup);
+      result_.number[side].resize(count);
+      inside_[side].resize(count);
+      lies_in_[side].resize(count);
+    }
+  }
+
+  FaceMatch run() {
+    join({{{kUnbounded}, {kUnbounded}}});
+    result_.same = 1;
+    match_same_boundaries();
+    account_for_groups(boundary_claims());
+    account_for_groups(locations());
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<std::size_t> open_faces(Side side) const;
+  void match_same_boundaries();
+  Pairs boundary_claims() const;
+  Pairs locations();
+  void account_for_groups(const Pairs& relation);
+  /// Gives the faces of a group their common number, and their match where it is one to one.
+  void join(const Group& group);
+  void report(const Group& group);
+  std::string message(const Group& group) const;
+  std::string note(Side side, FaceId f) const;
+  std::vector<EdgeId> disagreeing_edges(Side side, FaceId f) const;
+  Point place_in(Side side, FaceId f) const;
+
+  const Sides& sides_;
+  const EdgeMatch& edges_;
+  const CycleMatch& cycles_;
+  const bool float_is_valid_;
+  const std::size_t first_number_;
+  Both<std::vector<std::optional<Point>>> inside_;  ///< interior points, where they were asked for
+  Both<std::vector<FaceId>> lies_in_;               ///< faces of the other side at these points
+  FaceMatch result_;
+  std::size_t group_count_ = 0;
+  bool is_last_step_ = false;
+};
+
+void FaceMatcher::join(const Group& group) {
+  for (const Side side : kBothSides)
+    for (const std::size_t f : group[side]) result_.group[side][f] = group_count_;
+  ++group_count_;
+  if (group[kExact].size() != 1 || group[kFloat].size() != 1) return;
+  result_.match[kExact][group[kExact][0]] = FaceId(group[kFloat][0]);
+  result_.match[kFloat][group[kFloat][0]] = FaceId(group[kExact][0]);
+}
+
+std::vector<std::size_t> FaceMatcher::open_faces(Side side) const {
+  std::vector<std::size_t> result;
+  for (std::size_t f = 0; f < sides_[side].face_count(); ++f)
+    if (result_.group[side][f] == kNoGroup) result.push_back(f);
+  return result;
+}
+
+/// Pairs of faces without a group whose outer boundaries are the same, but for merged and split
+/// cells. Exact faces first, so that pairs with equal boundaries come in their order.
+Pairs FaceMatcher::boundary_claims() const {
+  Pairs result;
+  for (const Side side : kBothSides)
+    for (const std::size_t f : open_faces(side)) {
+      const CycleId cycle = cycles_.same[side][sides_[side].face_outer[f]];
+      if (!cycle.valid()) continue;
+      const ExactComplex& others = sides_[other(side)];
+      const FaceId g = others.cycle_face[cycle];
+      if (!g.valid() || g == kUnbounded || others.face_outer[g] != cycle) continue;
+      if (result_.group[other(side)][g] == kNoGroup) result.push_back(pair_of(side, f, g));
+    }
+  return result;
+}
+
+void FaceMatcher::match_same_boundaries() {
+  for (const auto& [f, g] : boundary_claims()) {
+    if (!cycles_.is_one_to_one[sides_[kExact].face_outer[f]]) continue;
+    if (result_.group[kExact][f] != kNoGroup || result_.group[kFloat][g] != kNoGroup) continue;
+    join({{{f}, {g}}});
+    ++result_.same;
+  }
+}
+
+/// Locates an interior point of each face without a group on the other side; pairs of two such
+/// faces.
+Pairs FaceMatcher::locations() {
+  is_last_step_ = true;
+  Pairs result;
+  for (const Side side : kBothSides) {
+    std::vector<FaceId> faces;
+    std::vector<Point> points;
+    for (const std::size_t f : open_faces(side)) {
+      try {
+        inside_[side][f] = interior_point(sides_[side], FaceId(f));
+      } catch (const Error&) {
+        // Only in an invalid complex, where a face can be without interior; `note` says so.
+        if (side == kExact || float_is_valid_) throw;
+        continue;
+      }
+      faces.emplace_back(f);
+      points.push_back(*inside_[side][f]);
+    }
+    const std::vector<FaceId> found = locate_all(sides_[other(side)], points);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const FaceId f = faces[i], g = found[i];
+      lies_in_[side][f] = g;
+      if (!g.valid() || result_.group[other(side)][g] != kNoGroup) continue;
+      result.push_back(pair_of(side, f, g));
+    }
+  }
+  return result;
+}
+
+/// Joins the groups of the relation and reports them. In the last step also the faces that
+/// correspond to none.
+void FaceMatcher::account_for_groups(const Pairs& relation) {
+  for (const Group& group : connected_groups({open_faces(kExact), open_faces(kFloat)}, relation)) {
+    const bool is_alone = group[kExact].empty() || group[kFloat].empty();
+    if (is_alone && !is_last_step_) continue;
+    if (!is_alone) join(group);
+    report(group);
+  }
+}
+
+std::vector<EdgeId> FaceMatcher::disagreeing_edges(Side side, FaceId f) const {
+  std::vector<EdgeId> result;
+  for (const HalfedgeId h : sides_[side].cycles[sides_[side].face_outer[f]])
+    if (!edges_.match[side][edge_of(h)].valid() || edges_.number[side][edge_of(h)] != 0)
+      result.push_back(edge_of(h));
+  return result;
+}
+
+Point FaceMatcher::place_in(Side side, FaceId f) const {
+  if (inside_[side][f]) return *inside_[side][f];
+  try {
+    return interior_point(sides_[side], f);
+  } catch (const Error&) {
+    return midpoint(sides_[side], edge_of(sides_[side].cycles[sides_[side].face_outer[f]].front()));
+  }
+}
+
+std::string FaceMatcher::message(const Group& group) const {
+  const std::size_t m = group[kExact].size(), n = group[kFloat].size();
+  if (n == 0) return "an exact face is missing from the float result";
+  if (m == 0) return "a float face has no exact counterpart";
+  if (m == 1 && n == 1) return "a face has other edges on its outer boundary";
+  return fmt::format("{} became {}", counted(m, "one exact face", "exact faces"),
+                     counted(n, "one float face", "float faces"));
+}
+
+/// Where a face that has no counterpart lies.
+std::string FaceMatcher::note(Side side, FaceId f) const {
+  if (!inside_[side][f]) return " (no interior point could be found in the invalid complex)";
+  const FaceId g = lies_in_[side][f];
+  return g == kUnbounded ? fmt::format("; its place is in the unbounded {} face", name(other(side)))
+                         : fmt::format("; its place is in {} face {}", name(other(side)),
+                                       static_cast<std::size_t>(g));
+}
+
+void FaceMatcher::report(const Group& group) {
+  Finding finding;
+  finding.kind = CellKind::Face;
+  const std::size_t m = group[kExact].size(), n = group[kFloat].size();
+  finding.disagreement = n == 0   ? Disagreement::Missing
+                         : m == 0 ? Disagreement::Extra
+                         : m == n ? Disagreement::Reshaped
+                         : m > n  ? Disagreement::Merged
+                                  : Disagreement::Split;
+  finding.message = message(group);
+  Numbers causes;
+  for (const Side side : kBothSides)
+    for (const std::size_t f : group[side]) {
+      std::vector<EdgeId> edges = disagreeing_edges(side, FaceId(f));
+      for (const EdgeId e : edges) causes.push_back(edges_.number[side][e]);
+      finding.segments = joined(std::move(finding.segments), segments_of(sides_[side], edges));
+      cells(finding, side).push_back(f);
+      result_.number[side][f] = first_number_ + result_.findings.size();
+    }
+  const Side side = m == 0 || m < n ? kFloat : kExact;
+  const FaceId last(group[side].back());
+  finding.where = place_in(side, last);
+  if (m == 0 || n == 0) finding.message += note(side, last);
+  finding.message += because_of(std::move(causes));
+  result_.findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+FaceMatch match_faces(const Sides& sides, const EdgeMatch& edges, const CycleMatch& cycles,
+                      bool float_is_valid, std::size_t first_number) {
+  return FaceMatcher(sides, edges, cycles, float_is_valid, first_number).run();
+}
+
+}  // namespace plumbline::matching

@@ -1,0 +1,141 @@
+// Matches vertices one to one and says what became of the others.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "crosscheck/near_vertices.hpp"
+#include "crosscheck/steps.hpp"
+
+namespace plumbline::matching {
+namespace {
+
+struct Candidate {
+  VertexId exact_vertex;
+  Near near;  ///< of the float complex
+};
+
+std::vector<Candidate> candidates_nearest_first(const Sides& sides, const NearVertices& floats) {
+  std::vector<Candidate> result;
+  for (std::size_t v = 0; v < sides[kExact].vertices.size(); ++v)
+    for (Near& near :
+         floats.within(sides[kExact].vertices[v], sides.tolerance, sides.squared_tolerance))
+      result.push_back({VertexId(v), std::move(near)});
+  std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
+    const int by_distance = cmp(a.near.squared_distance, b.near.squared_distance);
+    if (by_distance != 0) return by_distance < 0;
+    return std::pair(a.exact_vertex, a.near.vertex) < std::pair(b.exact_vertex, b.near.vertex);
+  });
+  return result;
+}
+
+VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
+  VertexMatch result;
+  for (const Side side : kBothSides) {
+    result.match[side].resize(sides[side].vertices.size());
+    result.number[side].resize(sides[side].vertices.size());
+  }
+  for (const Candidate& candidate : candidates_nearest_first(sides, floats)) {
+    VertexId& of_exact = result.match[kExact][candidate.exact_vertex];
+    VertexId& of_float = result.match[kFloat][candidate.near.vertex];
+    if (of_exact.valid() || of_float.valid()) continue;
+    of_exact = candidate.near.vertex;
+    of_float = candidate.exact_vertex;
+    result.largest_displacement = length(candidate.near.squared_distance);
+  }
+  result.image = result.match;
+  return result;
+}
+
+/// A vertex of the side without any vertex of the other one within the tolerance.
+Finding lacking_vertex(const Sides& sides, Side side, VertexId v,
+                       const std::optional<Near>& nearest_other) {
+  Finding finding;
+  finding.kind = CellKind::Vertex;
+  finding.disagreement = lacking(side);
+  finding.where = sides.point(side, v);
+  cells(finding, side) = {v};
+  finding.segments = segments_at(sides, side, std::array{v});
+  finding.message = side == kExact ? "an exact vertex is missing from the float result"
+                                   : "a float vertex has no exact counterpart";
+  if (nearest_other) {
+    finding.distance = length(nearest_other->squared_distance);
+    finding.message += fmt::format("; the nearest {} vertex is {} away", name(other(side)),
+                                   rough(*finding.distance));
+  }
+  return finding;
+}
+
+/// Vertices of the side that are one vertex of the other: its match first, then those left over.
+Finding joined_vertices(const Sides& sides, Side side, const std::vector<VertexId>& vertices,
+                        VertexId into) {
+  Finding finding;
+  finding.kind = CellKind::Vertex;
+  finding.disagreement = joining(side);
+  finding.where = sides.point(other(side), into);
+  Rational farthest = 0;
+  for (const VertexId v : vertices)
+    farthest = std::max(farthest, squared_distance(sides.point(side, v), finding.where));
+  finding.distance = length(farthest);
+  cells(finding, side).assign(vertices.begin(), vertices.end());
+  std::sort(cells(finding, side).begin(), cells(finding, side).end());
+  cells(finding, other(side)) = {into};
+  finding.segments =
+      joined(segments_at(sides, side, vertices), segments_at(sides, other(side), std::array{into}));
+  const double apart = length(
+      squared_distance(sides.point(side, vertices.front()), sides.point(side, vertices.back())));
+  const std::string spread = vertices.size() == 2
+                                 ? fmt::format("two {} vertices {} apart", name(side), rough(apart))
+                                 : fmt::format("{} {} vertices within {} of it", vertices.size(),
+                                               name(side), rough(*finding.distance));
+  finding.message =
+      side == kExact ? spread + " became one float vertex" : "one exact vertex became " + spread;
+  return finding;
+}
+
+void add(VertexMatch& result, Finding finding, std::size_t first_number) {
+  for (const Side side : kBothSides)
+    for (const std::size_t v : cells(finding, side))
+      if (result.number[side][v] == 0)
+        result.number[side][v] = first_number + result.findings.size();
+  result.findings.push_back(std::move(finding));
+}
+
+/// Reports the vertices of the side that have no match, and fills in their images.
+void account_for_unmatched(VertexMatch& result, const Sides& sides, Side side,
+                           const NearVertices& others, std::size_t first_number) {
+  std::vector<std::vector<VertexId>> joined_into(sides[other(side)].vertices.size());
+  std::vector<Finding> lacking_ones;
+  for (std::size_t i = 0; i < sides[side].vertices.size(); ++i) {
+    const VertexId v(i);
+    if (result.match[side][v].valid()) continue;
+    const std::optional<Near> near = others.nearest_to(sides.point(side, v));
+    if (near && near->squared_distance <= sides.squared_tolerance) {
+      result.image[side][v] = near->vertex;
+      joined_into[near->vertex].push_back(v);
+    } else {
+      lacking_ones.push_back(lacking_vertex(sides, side, v, near));
+    }
+  }
+  for (std::size_t i = 0; i < joined_into.size(); ++i) {
+    const VertexId into(i);
+    if (joined_into[into].empty()) continue;
+    if (const VertexId match = result.match[other(side)][into]; match.valid())
+      joined_into[into].insert(joined_into[into].begin(), match);
+    add(result, joined_vertices(sides, side, joined_into[into], into), first_number);
+  }
+  for (Finding& finding : lacking_ones) add(result, std::move(finding), first_number);
+}
+
+}  // namespace
+
+VertexMatch match_vertices(const Sides& sides, std::size_t first_number) {
+  const NearVertices exacts(sides[kExact]);
+  const NearVertices floats(sides[kFloat]);
+  VertexMatch result = one_to_one(sides, floats);
+  account_for_unmatched(result, sides, kExact, floats, first_number);
+  account_for_unmatched(result, sides, kFloat, exacts, first_number);
+  return result;
+}
+
+}  // namespace plumbline::matching

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "plumbline/complex.hpp"
+
+namespace plumbline::matching {
+
+/// A vertex and its exact squared distance from the point asked for.
+struct Near {
+  VertexId vertex;
+  Rational squared_distance;
+};
+
+/// Finds the vertices of a complex near a point. A KD-tree on rounded coordinates proposes, exact
+/// distances decide. Cost: O(n log n) to build, O(log n) a query.
+class NearVertices {
+ public:
+  /// Keeps a reference to the complex.
+  explicit NearVertices(const ExactComplex& complex);
+  ~NearVertices();
+  NearVertices(NearVertices&&) noexcept;
+
+  /// The vertices within `tolerance` of p, nearest first, then by index; of more than
+  /// kMaxNeighbours the nearest ones.
+  std::vector<Near> within(const Point& p, double tolerance,
+                           const Rational& squared_tolerance) const;
+  /// The nearest vertex, the least of several; none in a complex without vertices.
+  std::optional<Near> nearest_to(const Point& p) const;
+
+  /// Bounds the work where the tolerance is far larger than the drawing's features.
+  static constexpr std::size_t kMaxNeighbours = 32;
+
+ private:
+  struct Tree;
+  std::vector<Near> confirmed(const Point& p, const std::vector<std::size_t>& proposals) const;
+
+  const ExactComplex& complex_;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace plumbline::matching

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "crosscheck/groups.hpp"
+#include "crosscheck/sides.hpp"
+
+// The steps of the cross-check, in order. Each gives its correspondence and its findings, which are
+// numbered on from `first_number`, so that a later step can name an earlier finding as the cause.
+namespace plumbline::matching {
+
+/// Numbers of findings by cell; 0: the cell is in no finding.
+using Numbers = std::vector<std::size_t>;
+
+/// The broken invariants of the float complex, as findings.
+std::vector<Finding> invalidities(const Sides& sides);
+
+struct VertexMatch {
+  Both<std::vector<VertexId>> match;  ///< one to one; invalid where there is none
+  /// The match, else the nearest vertex of the other side within the tolerance, else invalid.
+  Both<std::vector<VertexId>> image;
+  double largest_displacement = 0;
+  std::vector<Finding> findings;
+  Both<Numbers> number;
+};
+/// Pairs of vertices within the tolerance are matched one to one, nearest pairs first (so each is
+/// the other's nearest among those left), ties by index. What is left over is Merged or Split if
+/// there is a vertex of the other side within the tolerance, else Missing or Extra.
+/// Cost: O(n log n), with at most NearVertices::kMaxNeighbours candidates a vertex.
+VertexMatch match_vertices(const Sides& sides, std::size_t first_number);
+
+struct EdgeMatch {
+  Both<std::vector<EdgeId>> match;  ///< one to one; invalid where there is none
+  /// What each edge is on the other side, from its tail to its head: halfedges there; nothing if it
+  /// is a vertex there or part of an edge listed with another one; nullopt: missing.
+  Both<std::vector<std::optional<std::vector<HalfedgeId>>>> image;
+  std::vector<Finding> findings;
+  Both<Numbers> number;
+};
+/// Edges are matched if their ends are (one to one, or by their images). The others are collapsed
+/// or parallel (Merged, Split), lie along a chain of edges of the other side (Split, Merged), or
+/// are Missing or Extra. Cost: near-linear; a chain costs the edges within the tolerance of it.
+EdgeMatch match_edges(const Sides& sides, const VertexMatch& vertices, std::size_t first_number);
+
+/// Cycles of each side, walked through the edge match, against those of the other side.
+struct CycleMatch {
+  Both<std::vector<CycleId>> same;      ///< per cycle: what it is on the other side, or invalid
+  std::vector<bool> is_one_to_one;      ///< per exact cycle: ... and all its edges are matched
+  Both<std::vector<CycleId>> cycle_of;  ///< per halfedge; invalid where it is in no cycle
+};
+CycleMatch match_cycles(const Sides& sides, const EdgeMatch& edges);
+
+struct FaceMatch {
+  std::size_t same = 0;             ///< pairs with the same outer boundary, the unbounded one too
+  Both<std::vector<FaceId>> match;  ///< one to one, with the same boundary or reshaped
+  /// Which faces correspond at all, also where several are one: equal numbers on both sides. 0 is
+  /// the unbounded faces; kNoGroup: Missing or Extra.
+  Both<std::vector<std::size_t>> group;
+  std::vector<Finding> findings;
+  Both<Numbers> number;
+};
+inline constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
+/// Faces are matched by equal outer boundaries; the rest corresponds by boundaries that differ only
+/// by merged or split cells, and then by where interior points lie. Cost: O(E log E) and for each
+/// of the remaining faces the edges that a horizontal line through its interior point meets.
+FaceMatch match_faces(const Sides& sides, const EdgeMatch& edges, const CycleMatch& cycles,
+                      bool float_is_valid, std::size_t first_number);
+
+/// Holes and isolated vertices: Missing, Extra, Merged, Split, Reshaped or in the wrong face. Holes
+/// of the unbounded face (the outlines of components) are reported only as WrongParent.
+std::vector<Finding> nesting(const Sides& sides, const VertexMatch& vertices,
+                             const EdgeMatch& edges, const CycleMatch& cycles,
+                             const FaceMatch& faces);
+
+/// ", because of findings 3 and 7"; empty for no numbers (zeros and repetitions are left out).
+std::string because_of(Numbers numbers);
+
+}  // namespace plumbline::matching
