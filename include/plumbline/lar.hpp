@@ -17,7 +17,7 @@ inline constexpr double kDefaultRelativeRadius = 0.001;
 /// that stand for the same point could stay apart.
 inline constexpr double kLeastRelativeRadius = 0x1p-46;
 /// Most rounds of splitting and merging. Drawings need two or three.
-inline constexpr std::size_t kMaxRounds = 50;
+inline constexpr std::size_t kMaxRounds = 30;
 
 struct Options {
   /// Vertices no further apart than this are merged (transitively), and an edge that passes a

@@ -30,13 +30,22 @@ std::vector<std::vector<BucketId>> buckets_of_edges(const Lists<EdgeId>& buckets
   return result;
 }
 
-/// Sorts, and keeps one of those that lie within `same` of the one before.
-void reduce(std::vector<Cut>& cuts, double same) {
+/// Sorts, and drops what lies within `same` of the one kept before, or further from it than the
+/// edge is long: two ends beside a short edge, one on each side, would replace it by their
+/// connection, and next time that by the edge.
+void reduce(std::vector<Cut>& cuts, const SegmentD& edge, double same) {
   std::sort(cuts.begin(), cuts.end(), [](const Cut& s, const Cut& t) {
     return s.parameter != t.parameter ? s.parameter < t.parameter : s.point < t.point;
   });
-  const auto equal = [same](const Cut& s, const Cut& t) { return near(s.point, t.point, same); };
-  cuts.erase(std::unique(cuts.begin(), cuts.end(), equal), cuts.end());
+  const double length = squared_distance(edge.a, edge.b);
+  std::vector<Cut> kept;
+  for (const Cut& cut : cuts) {
+    const bool superfluous =
+        !kept.empty() && (near(kept.back().point, cut.point, same) ||
+                          squared_distance(kept.back().point, cut.point) >= length);
+    if (!superfluous) kept.push_back(cut);
+  }
+  cuts = std::move(kept);
 }
 
 }  // namespace
@@ -63,7 +72,7 @@ Lists<Cut> cut_edges(const Graph& graph, std::span<const Box> boxes, const Lists
         cuts.insert(cuts.end(), mine.begin(), mine.end());
       }
     }
-    reduce(cuts, same);
+    reduce(cuts, segment(graph, e), same);
     result.push_back(cuts);
   }
   return result;

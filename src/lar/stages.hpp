@@ -49,12 +49,14 @@ struct Meeting {
 
 /// An end of one segment within the radius of the other segment cuts it there (so T junctions and
 /// collinear overlaps, whose ends cut each other), unless it is within the radius of an end, where
-/// pruning will merge the two. If no end is that near, the segments cut each other where they cross
-/// properly, by division and not by a reciprocal, both in the same point. Section 2.2.
+/// pruning will merge the two, or the cut would not shorten the segment. If no end is that near,
+/// the segments cut each other where they cross properly, by division and not by a reciprocal, both
+/// in the same point. Section 2.2.
 Meeting meet(const SegmentD& first, const SegmentD& second, double radius);
 
 /// Per edge its cuts by all edges that share a bucket with it, by parameter. Of cuts that differ by
-/// rounding only (less than a quarter of the least radius) one is kept. Section 2.2.
+/// rounding only (less than a quarter of the least radius) one is kept. All pieces are shorter than
+/// the edge. Section 2.2.
 Lists<Cut> cut_edges(const Graph& graph, std::span<const Box> boxes, const Lists<EdgeId>& buckets,
                      double radius);
 
