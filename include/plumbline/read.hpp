@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,19 +9,27 @@
 
 namespace plumbline {
 
-/// The drawing in a file, every number exact. The format is told by the file name's ending: `.svg`,
-/// `.lines`. What the reader does not understand is listed in `rejected`, with its place.
-/// Throws: Error BadFile, BadInput (malformed file, unknown ending), Limit.
+/// Largest file that `read` takes, in bytes.
+inline constexpr std::uintmax_t kMaxFileSize = std::uintmax_t{1} << 30U;
+
+/// The drawing in a file, every number exact. The format is told by the file name's ending, in
+/// either case: `.svg`, `.lines`. What the reader does not understand is listed in `rejected`, with
+/// its place. Throws: Error BadFile, BadInput (malformed file, unknown ending), Limit (beyond
+/// kMaxFileSize; numbers or entities that grow beyond all measure).
 Structure read(const std::filesystem::path& file);
 
-/// SVG text as a Structure: `g` and nested `svg` become Structs named by their id (or tag), their
-/// transforms Affines; `line`, `rect`, `polyline`, `polygon` and `path` with the commands M L H V Z
-/// become Models. Coordinates are user units of the root's viewBox, y downwards, as in the file.
-/// `rejected` lists every element that is not understood, by name and line.
+/// SVG text as a Structure: `g`, `a` and nested `svg` become Structs named by their inkscape:label
+/// or id, their transforms Affines; `line`, `rect`, `polyline`, `polygon` and `path` with the
+/// commands M L H V Z become Models. Coordinates are user units of the root's viewBox, y downwards,
+/// as in the file. `rejected` lists by name and line every element that is not understood or not
+/// drawn in its place, every curved piece of a path, and what follows an error in path data.
+/// Neither interpreted nor listed: visibility, clipping, markers, style sheets, animation. Columns
+/// count bytes of UTF-8. No recursion: depth is limited by memory only. Throws: Error BadInput for
+/// malformed XML and a root other than `svg`; Limit.
 Structure read_svg(std::string_view text, const std::string& file_name);
 
-/// LAR's `.lines` text: a row `x1,y1,x2,y2` per segment; empty rows are skipped. A row that is
-/// anything else is `rejected`.
+/// LAR's `.lines` text: a row `x1,y1,x2,y2` per segment, blanks around the numbers allowed; empty
+/// rows are skipped. A row that is anything else is `rejected`. Throws: Error Limit.
 Structure read_lines(std::string_view text, const std::string& file_name);
 
 }  // namespace plumbline

@@ -28,6 +28,7 @@ class Evaluation {
     result_.files = structure.files;
     result_.rejected = structure.rejected;
     result_.ledger = structure.ledger;
+    reserve();
   }
 
   SegmentSet run() && {
@@ -60,6 +61,23 @@ class Evaluation {
     std::size_t next;  ///< index into the body
     Map map;           ///< applies to what follows in the body
   };
+
+  /// Room for as many models and segments as are stored; shared Structs will need more.
+  void reserve() {
+    std::size_t models = 0;
+    std::size_t segments = 0;
+    for (const Struct& s : structure_.structs) {
+      for (const auto& item : s.body) {
+        const auto* model = std::get_if<Model>(&item);
+        if (model == nullptr) continue;
+        ++models;
+        segments += model->segments.size();
+      }
+    }
+    result_.sources.reserve(models);
+    result_.segments.reserve(segments);
+    result_.segment_source.reserve(segments);
+  }
 
   void enter(StructId id, Map map) {
     if (id >= structure_.structs.size()) {

@@ -1,0 +1,90 @@
+#include "read/attribute.hpp"
+
+#include "plumbline/error.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_sign(char c) { return c == '+' || c == '-'; }
+
+std::size_t skip_digits(std::string_view text, std::size_t i) {
+  while (i < text.size() && is_digit(text[i])) ++i;
+  return i;
+}
+
+}  // namespace
+
+Rational Numbers::parse(std::string_view text) {
+  try {
+    Rational value = parse_decimal(text);
+    const std::size_t words = mpz_size(value.get_num_mpz_t()) + mpz_size(value.get_den_mpz_t());
+    if (words > kPlainWords) long_words_ += words;
+    if (long_words_ <= kMaxLongWords) return value;
+  } catch (const Error& error) {
+    throw Unusable{error.message(), std::string(text.substr(0, 100))};
+  }
+  throw Error(ErrorCode::Limit, "the long numbers of the document take more than 512 MiB", {},
+              std::string(text));
+}
+
+Rational Numbers::take(Scanner& scanner, const char* reason) {
+  const std::string_view number = scanner.number();
+  if (number.empty()) throw Unusable{reason, {}};
+  Rational value = parse(number);
+  scanner.advance_by(number.size());
+  return value;
+}
+
+void Scanner::skip_blanks() {
+  while (!at_end() && is_blank(text_[position_])) ++position_;
+}
+
+bool Scanner::skip_separator() {
+  skip_blanks();
+  if (peek() != ',') return false;
+  advance();
+  skip_blanks();
+  return true;
+}
+
+std::string_view Scanner::number() const {
+  const std::string_view text = text_.substr(position_);
+  std::size_t end = !text.empty() && is_sign(text[0]) ? 1 : 0;
+  const std::size_t whole = end;
+  end = skip_digits(text, end);
+  std::size_t digits = end - whole;
+  if (end < text.size() && text[end] == '.') {
+    const std::size_t fraction = end + 1;
+    end = skip_digits(text, fraction);
+    digits += end - fraction;
+  }
+  if (digits == 0) return {};
+  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+    std::size_t exponent = end + 1;
+    if (exponent < text.size() && is_sign(text[exponent])) ++exponent;
+    // Without digits the letter is no exponent but what follows the number: "1em".
+    const std::size_t exponent_end = skip_digits(text, exponent);
+    if (exponent_end > exponent) end = exponent_end;
+  }
+  return text.substr(0, end);
+}
+
+Rational parse_length(std::string_view text, Numbers& numbers) {
+  Scanner scanner(text);
+  scanner.skip_blanks();
+  const std::string_view number = scanner.number();
+  scanner.advance_by(number.size());
+  const std::size_t unit_begin = scanner.position();
+  while (!scanner.at_end() && !is_blank(scanner.peek())) scanner.advance();
+  const std::string_view unit = scanner.since(unit_begin);
+  scanner.skip_blanks();
+  if (number.empty() || !scanner.at_end()) throw Unusable{"not a length", std::string(text)};
+  if (!unit.empty() && unit != "px") {
+    throw Unusable{"unit " + std::string(unit) + " is not understood yet", std::string(text)};
+  }
+  return numbers.parse(number);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "plumbline/number.hpp"
+
+namespace plumbline {
+
+/// Thrown inside the readers: an item of the drawing can't be used. Becomes a Rejected item.
+struct Unusable {
+  std::string reason;
+  std::string text;  ///< the offending text
+};
+
+class Scanner;
+
+/// Makes the numbers of one document, and bounds the total size of the long ones: a text such as
+/// "1e9999" makes a number a thousand times its own length.
+class Numbers {
+ public:
+  /// Throws: Unusable where `parse_decimal` refuses; Error Limit where the document's long numbers
+  /// take more than kMaxLongWords.
+  Rational parse(std::string_view text);
+  /// The number that starts at the scanner, which moves behind it. Throws: also Unusable with this
+  /// reason where none does; the scanner then has not moved.
+  Rational take(Scanner& scanner, const char* reason);
+
+ private:
+  static constexpr std::size_t kPlainWords = 4;  ///< any decimal of up to 38 digits
+  static constexpr std::size_t kMaxLongWords = std::size_t{1} << 26U;  ///< 512 MiB
+  std::size_t long_words_ = 0;
+};
+
+/// Walks over the text of an attribute by the rules that the grammars of SVG share.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : text_(text) {}
+
+  bool at_end() const { return position_ == text_.size(); }
+  std::size_t position() const { return position_; }
+  /// The text from an earlier position to here, and from one to the end.
+  std::string_view since(std::size_t begin) const { return text_.substr(begin, position_ - begin); }
+  std::string_view rest(std::size_t begin) const { return text_.substr(begin); }
+  /// The next character; 0 at the end.
+  char peek() const { return at_end() ? '\0' : text_[position_]; }
+  void advance() { ++position_; }
+  void skip_blanks();
+  /// Skips blanks with at most one comma among them; whether there was one.
+  bool skip_separator();
+  /// The longest number (sign, digits, point, exponent) that starts here; empty where none does.
+  std::string_view number() const;
+  bool at_number() const { return !number().empty(); }
+  void advance_by(std::size_t count) { position_ += count; }
+
+ private:
+  std::string_view text_;
+  std::size_t position_ = 0;
+};
+
+/// A length in user units: a number, bare or with `px`. Throws: Unusable for anything else.
+Rational parse_length(std::string_view text, Numbers& numbers);
+
+}  // namespace plumbline

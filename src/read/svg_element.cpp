@@ -1,0 +1,83 @@
+#include "read/svg_element.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "read/xml.hpp"
+
+namespace plumbline {
+namespace {
+
+using Names = std::string_view;
+
+constexpr Names kSvgNamespace = "http://www.w3.org/2000/svg";
+constexpr std::array<Names, 3> kContainers{"g", "a", "svg"};
+constexpr std::array<Names, 5> kShapes{"line", "rect", "polyline", "polygon", "path"};
+constexpr std::array<Names, 6> kOtherDrawn{"circle", "ellipse", "text",
+                                           "image",  "use",     "foreignObject"};
+// clang-format off
+constexpr std::array<Names, 31> kUndrawn{
+    "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
+    "meshgradient", "hatch", "solidcolor", "filter", "title", "desc", "metadata", "style", "script",
+    "color-profile", "cursor", "font", "font-face", "glyph", "missing-glyph", "view", "animate",
+    "animateColor", "animateMotion", "animateTransform", "set", "mpath", "discard"};
+// clang-format on
+
+template <class Array>
+bool contains(const Array& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string_view prefix(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  return colon == name.npos ? std::string_view() : name.substr(0, colon);
+}
+
+/// The prefix that an attribute declares ("" for the default namespace), if it is a declaration.
+const char* declared_prefix(const pugi::xml_attribute& attribute) {
+  const std::string_view name = attribute.name();
+  if (name == "xmlns") return "";
+  return name.starts_with("xmlns:") ? attribute.name() + 6 : nullptr;
+}
+
+}  // namespace
+
+SvgKind svg_kind(std::string_view local_name) {
+  if (contains(kShapes, local_name)) return SvgKind::Shape;
+  if (contains(kContainers, local_name)) return SvgKind::Container;
+  return contains(kUndrawn, local_name) ? SvgKind::Undrawn : SvgKind::Unknown;
+}
+
+std::string_view local_name(const pugi::xml_node& element) {
+  const std::string_view name = element.name();
+  return name.substr(name.find(':') + 1);  // npos + 1 is 0
+}
+
+bool holds_drawing(const pugi::xml_node& top) {
+  for (auto node = top; node; node = next_below(top, node)) {
+    const std::string_view name = local_name(node);
+    if (contains(kShapes, name) || contains(kOtherDrawn, name)) return true;
+  }
+  return false;
+}
+
+void Namespaces::enter(const pugi::xml_node& element) {
+  for (const auto& attribute : element.attributes()) {
+    if (const char* name = declared_prefix(attribute)) uris_[name].emplace_back(attribute.value());
+  }
+}
+
+void Namespaces::leave(const pugi::xml_node& element) {
+  for (const auto& attribute : element.attributes()) {
+    if (const char* name = declared_prefix(attribute)) uris_[name].pop_back();
+  }
+}
+
+bool Namespaces::is_svg(const pugi::xml_node& element) const {
+  const std::string name(prefix(element.name()));
+  const auto found = uris_.find(name);
+  if (found != uris_.end() && !found->second.empty()) return found->second.back() == kSvgNamespace;
+  return name.empty();
+}
+
+}  // namespace plumbline

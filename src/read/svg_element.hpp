@@ -1,0 +1,42 @@
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace plumbline {
+
+/// What the reader does with an element.
+enum class SvgKind {
+  Container,  ///< g, a, svg
+  Shape,      ///< line, rect, polyline, polygon, path
+  Undrawn,  ///< never drawn in its place: defs, clipPath, title, another vocabulary's element, ...
+  Unknown,  ///< drawn, but not understood yet
+};
+
+/// By the local name of an element of the SVG namespace.
+SvgKind svg_kind(std::string_view local_name);
+
+/// The name without its namespace prefix.
+std::string_view local_name(const pugi::xml_node& element);
+
+/// Whether an element below `top`, or `top` itself, is by its name one that draws.
+bool holds_drawing(const pugi::xml_node& top);
+
+/// The namespace prefixes in force on the way down a document.
+class Namespaces {
+ public:
+  /// Takes in the declarations of an element, takes them back.
+  void enter(const pugi::xml_node& element);
+  void leave(const pugi::xml_node& element);
+  /// Whether the element, which was entered, is SVG's. A document that declares no namespace at all
+  /// counts as SVG.
+  bool is_svg(const pugi::xml_node& element) const;
+
+ private:
+  std::unordered_map<std::string, std::vector<std::string>> uris_;  ///< per prefix, innermost last
+};
+
+}  // namespace plumbline

@@ -1,0 +1,118 @@
+#include "read/xml.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "read/encoding.hpp"
+#include "read/entities.hpp"
+
+namespace plumbline {
+namespace {
+
+std::vector<std::size_t> line_begins(std::string_view text) {
+  std::vector<std::size_t> begins{0};
+  for (std::size_t end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1)) {
+    begins.push_back(end + 1);
+  }
+  return begins;
+}
+
+}  // namespace
+
+pugi::xml_node next_below(const pugi::xml_node& top, const pugi::xml_node& node) {
+  if (node.first_child()) return node.first_child();
+  for (pugi::xml_node up = node; up != top; up = up.parent()) {
+    if (up.next_sibling()) return up.next_sibling();
+  }
+  return {};
+}
+
+XmlDocument::XmlDocument(std::string_view bytes, const std::string& file)
+    : file_(file), text_(to_utf8(bytes, file)), line_begins_(line_begins(text_)) {
+  parse();
+  check_top_level();
+  check_attributes();
+  std::string doctype;
+  for (const auto& node : document_.children()) {
+    if (node.type() == pugi::node_doctype) doctype += node.value();
+  }
+  Entities entities(doctype);
+  if (!entities.empty()) expand_entities(entities);
+}
+
+void XmlDocument::parse() {
+  // As a fragment, text outside the root is kept for check_top_level instead of being dropped.
+  const unsigned options = pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
+  const auto result =
+      document_.load_buffer_inplace(text_.data(), text_.size(), options, pugi::encoding_utf8);
+  if (!result) {
+    std::string reason = result.description();
+    reason[0] = static_cast<char>(std::tolower(reason[0]));
+    fail("malformed XML: " + reason, static_cast<std::size_t>(std::max(result.offset, 0L)));
+  }
+}
+
+void XmlDocument::check_top_level() const {
+  if (!root()) fail("malformed XML: no element", 0);
+  for (const auto& node : document_.children()) {
+    if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata) {
+      fail("malformed XML: text outside the root element",
+           static_cast<std::size_t>(std::max(node.offset_debug(), 0L)), node.value());
+    }
+    if (node.type() == pugi::node_element && node != root()) {
+      throw Error(ErrorCode::BadInput, "malformed XML: second root element", place(node),
+                  node.name());
+    }
+  }
+}
+
+void XmlDocument::check_attributes() const {
+  std::vector<std::string_view> names;
+  for (auto node = root(); node; node = next_below(root(), node)) {
+    names.clear();
+    for (const auto& attribute : node.attributes()) names.emplace_back(attribute.name());
+    std::sort(names.begin(), names.end());
+    const auto twice = std::adjacent_find(names.begin(), names.end());
+    if (twice != names.end()) {
+      throw Error(ErrorCode::BadInput, "malformed XML: duplicate attribute", place(node),
+                  std::string(*twice));
+    }
+  }
+}
+
+void XmlDocument::expand_entities(Entities& entities) const {
+  for (auto node = root(); node; node = next_below(root(), node)) {
+    if (node.type() == pugi::node_pcdata && entities.refers_to_markup(node.value())) {
+      throw Error(ErrorCode::BadInput, "an entity with markup is not understood yet",
+                  place(node.parent()), node.value());
+    }
+    for (auto attribute : node.attributes()) {
+      const std::string_view value = attribute.value();
+      if (value.find('&') == value.npos) continue;
+      try {
+        attribute.set_value(entities.expand(value).c_str());
+      } catch (const Error& error) {
+        throw Error(error.code(), error.message(), place(node), error.offending_text());
+      }
+    }
+  }
+}
+
+Place XmlDocument::place_at(std::size_t offset) const {
+  const auto next = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+  const auto line = static_cast<std::uint32_t>(next - line_begins_.begin());
+  return {file_, line, static_cast<std::uint32_t>(offset - line_begins_[line - 1] + 1)};
+}
+
+Place XmlDocument::place(const pugi::xml_node& element) const {
+  const auto name = element.offset_debug();
+  if (name < 1) return {file_, 0, 0};
+  return place_at(static_cast<std::size_t>(name - 1));
+}
+
+void XmlDocument::fail(const std::string& message, std::size_t offset,
+                       const std::string& text) const {
+  throw Error(ErrorCode::BadInput, message, place_at(offset), text);
+}
+
+}  // namespace plumbline
