@@ -1,5 +1,6 @@
 # Installs a build to a scratch prefix, builds the project beside this file against it, runs it.
-# Usage: cmake -DBUILD=<build folder> -DSCRATCH=<folder to empty> -DCOMPILER=<c++> -DFLAGS=<flags> -P run.cmake
+# Usage: cmake -DBUILD=<build folder> -DSCRATCH=<folder to empty> \
+#   -DCOMPILER=<c++> -DLAUNCHER=<ccache or nothing> -P run.cmake
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -8,7 +9,7 @@ file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${SCRATCH}/build -G Ninja
     -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix -DCMAKE_CXX_COMPILER=${COMPILER}
-    -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=Release)
+    -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer)
 run(${SCRATCH}/build/cgal_consumer)
