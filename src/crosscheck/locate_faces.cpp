@@ -18,30 +18,38 @@ constexpr double kRelativeSlack = 0x1p-48;
 /// A non-horizontal edge, from its lower to its upper end.
 struct Rising {
   HalfedgeId up;
-  Point low, high;
+  const Point* low;
+  const Point* high;
   PointD low_d, high_d;
 };
 
+/// Exact order by height; rounding is monotone, so unequal doubles decide.
+bool is_lower(const Point& p, double p_y, const Point& q, double q_y) {
+  return p_y != q_y ? p_y < q_y : p.y < q.y;
+}
+
 std::vector<Rising> rising_edges(const ExactComplex& complex) {
+  std::vector<PointD> rounded;
+  for (const Point& p : complex.vertices) rounded.push_back(nearest(p));
   std::vector<Rising> result;
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
-    const Edge& edge = complex.edges[e];
-    const int by_y = cmp(complex.vertices[edge.tail].y, complex.vertices[edge.head].y);
-    if (by_y == 0) continue;
-    const HalfedgeId up = halfedge(EdgeId(e), by_y > 0);
-    const Point& low = complex.vertices[complex.origin(up)];
-    const Point& high = complex.vertices[complex.target(up)];
-    result.push_back({up, low, high, nearest(low), nearest(high)});
+    auto [low, high] = complex.edges[e];
+    if (is_lower(complex.vertices[high], rounded[high].y, complex.vertices[low], rounded[low].y))
+      std::swap(low, high);
+    if (complex.vertices[low].y == complex.vertices[high].y) continue;
+    result.push_back({halfedge(EdgeId(e), low != complex.edges[e].tail), &complex.vertices[low],
+                      &complex.vertices[high], rounded[low], rounded[high]});
   }
-  std::sort(result.begin(), result.end(), [](const Rising& a, const Rising& b) {
-    const int by_y = cmp(a.low.y, b.low.y);
-    return by_y != 0 ? by_y < 0 : a.up < b.up;
+  std::stable_sort(result.begin(), result.end(), [](const Rising& a, const Rising& b) {
+    return is_lower(*a.low, a.low_d.y, *b.low, b.low_d.y);
   });
   return result;
 }
 
-Rational slope(const Rising& e) { return (e.high.x - e.low.x) / (e.high.y - e.low.y); }
-Rational crossing(const Rising& e, const Rational& y) { return e.low.x + (y - e.low.y) * slope(e); }
+Rational slope(const Rising& e) { return (e.high->x - e.low->x) / (e.high->y - e.low->y); }
+Rational crossing(const Rising& e, const Rational& y) {
+  return e.low->x + (y - e.low->y) * slope(e);
+}
 
 /// Where the line at height y meets the edge, certainly between `low` and `high`.
 struct Interval {
@@ -64,18 +72,17 @@ class Sweep {
 
   /// Requires: called with points of ascending y.
   FaceId locate(const Point& p) {
-    while (next_ < edges_.size() && edges_[next_].low.y <= p.y) active_.push_back(next_++);
-    std::erase_if(active_, [&](std::size_t i) { return edges_[i].high.y <= p.y; });
     const PointD rounded = nearest(p);
+    advance(p, rounded.y);
+    const double slack = kRelativeSlack * magnitude_;
     const Rising* first = nullptr;
     Interval first_at{};
     for (const std::size_t i : active_) {
       const Rising& e = edges_[i];
       const Interval at = approximate_crossing(e, rounded.y, magnitude_);
-      const double slack = kRelativeSlack * magnitude_;
       if (at.high < rounded.x - slack || (first && at.low > first_at.high)) continue;
-      if (at.low <= rounded.x + slack && !is_right_of(e, p)) continue;
-      if (first && at.high >= first_at.low && !is_before(e, *first, p.y)) continue;
+      if (!(at.low > rounded.x + slack) && !is_right_of(e, p)) continue;
+      if (first && !(at.high < first_at.low) && !is_before(e, *first, p.y)) continue;
       first = &e;
       first_at = at;
     }
@@ -83,6 +90,14 @@ class Sweep {
   }
 
  private:
+  /// Keeps the edges that reach above the height of p but do not begin above it.
+  void advance(const Point& p, double p_y) {
+    while (next_ < edges_.size() && !is_lower(p, p_y, *edges_[next_].low, edges_[next_].low_d.y))
+      active_.push_back(next_++);
+    std::erase_if(active_, [&](std::size_t i) {
+      return !is_lower(p, p_y, *edges_[i].high, edges_[i].high_d.y);
+    });
+  }
   static bool is_right_of(const Rising& e, const Point& p) {
     const int side = cmp(crossing(e, p.y), p.x);
     return side != 0 ? side > 0 : slope(e) >= 0;
@@ -112,6 +127,7 @@ double magnitude_of(const ExactComplex& complex, const std::vector<Point>& point
 }  // namespace
 
 std::vector<FaceId> locate_all(const ExactComplex& complex, const std::vector<Point>& points) {
+  if (points.empty()) return {};
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
