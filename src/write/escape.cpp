@@ -65,6 +65,23 @@ std::string valid_utf8(std::string_view text) {
   return result;
 }
 
+std::string line_text(std::string_view text) {
+  std::string result;
+  const std::string valid = valid_utf8(text);
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    const auto c = static_cast<unsigned char>(valid[i]);
+    const auto next = i + 1 < valid.size() ? static_cast<unsigned char>(valid[i + 1]) : 0U;
+    const bool is_c1_control = c == 0xC2U && next < 0xA0U;  // U+0080 to U+009F
+    const bool is_control = c < 0x20U || c == 0x7FU || is_c1_control;
+    if (is_control)
+      result += kReplacement;
+    else
+      result += valid[i];
+    if (is_c1_control) ++i;
+  }
+  return result;
+}
+
 std::string xml_text(std::string_view text) {
   const std::string valid = valid_utf8(text);
   std::string_view rest = valid;

@@ -5,15 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
 namespace plumbline::picture {
 namespace {
 
-// ColorBrewer's sequential "Blues", safe for colour-blind readers; deeper faces are darker.
-constexpr std::array kDepthColours = {"#eaf2fa", "#d0e1f2", "#a9cfe5", "#7ab6d9", "#4f9bcb"};
 // A picture of this many pens across reads well on a screen: thin lines at 1600 pixels.
 constexpr double kPensAcross = 1000;
 constexpr double kMarkPens = 2.5, kDashPens = 4, kDotPens = 2;

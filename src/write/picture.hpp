@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace plumbline::picture {
 /// The colours of every picture: one calm colour for the drawing, a strong second one for findings.
 inline constexpr const char* kInk = "#1f2d3a";
 inline constexpr const char* kMark = "#d55e00";
+/// Faces of depth 1, 2, ...; deeper ones have the last colour. ColorBrewer's sequential "Blues",
+/// safe for colour-blind readers.
+inline constexpr std::array kDepthColours = {"#eaf2fa", "#d0e1f2", "#a9cfe5", "#7ab6d9", "#4f9bcb"};
 
 /// An upright box of the plane.
 struct Box {

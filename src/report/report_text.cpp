@@ -1,0 +1,115 @@
+// The report for a terminal.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "plumbline/report.hpp"
+#include "report/verdict.hpp"
+#include "write/escape.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr std::size_t kShownInputs = 3;
+constexpr std::size_t kShownRejected = 5;
+
+using Out = std::back_insert_iterator<std::string>;
+
+std::string number(double value) { return shortest_text(value); }
+
+void append_counts(std::string& text, const Crosscheck& c) {
+  fmt::format_to(Out(text), "\n{:<18}{:>10}{:>10}\n", "", "exact", "float");
+  for (const CountRow& row : count_rows()) {
+    std::string name = row.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    fmt::format_to(Out(text), "{:<18}{:>10}{:>10}\n", name, c.exact_counts.*row.member,
+                   c.float_counts.*row.member);
+  }
+  fmt::format_to(Out(text), "(faces with the unbounded one, holes of bounded faces)\n");
+  fmt::format_to(Out(text), "matched one to one: {} vertices, {} edges, {} faces\n",
+                 c.matched_vertices, c.matched_edges, c.matched_faces);
+}
+
+void append_input(std::string& text, const SegmentSet& input) {
+  fmt::format_to(Out(text), "input: {} segments, {} points; {} rejected\n", input.segments.size(),
+                 input.points.size(), input.rejected.size());
+  const std::size_t shown = std::min(input.rejected.size(), kShownRejected);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Rejected& item = input.rejected[i];
+    fmt::format_to(Out(text), "  rejected {}: {}\n", line_text(to_text(item.source, input.files)),
+                   line_text(item.reason));
+  }
+  if (shown < input.rejected.size())
+    fmt::format_to(Out(text), "  ... and {} more\n", input.rejected.size() - shown);
+}
+
+/// "3 numbers were replaced: by at most 1e-15 rad (2), 0.001 (1)".
+void append_ledger(std::string& text, const std::vector<Replacement>& ledger) {
+  if (ledger.empty()) {
+    text += "exactness: every coordinate is exactly what the file says\n";
+    return;
+  }
+  std::vector<std::pair<std::string, std::size_t>> bounds;
+  for (const Replacement& item : ledger) {
+    const auto same = [&](const auto& entry) { return entry.first == item.bound; };
+    const auto it = std::find_if(bounds.begin(), bounds.end(), same);
+    if (it != bounds.end())
+      ++it->second;
+    else
+      bounds.emplace_back(item.bound, 1);
+  }
+  fmt::format_to(Out(text), "exactness: {} number{} replaced, by at most", ledger.size(),
+                 ledger.size() == 1 ? " was" : "s were");
+  const char* separator = " ";
+  for (const auto& [bound, count] : bounds) {
+    fmt::format_to(Out(text), "{}{} ({})", separator, line_text(bound), count);
+    separator = ", ";
+  }
+  text += '\n';
+}
+
+void append_inputs(std::string& text, const SegmentSet& input, const Finding& finding) {
+  const std::vector<SourceId> sources = sources_of(input, finding.segments);
+  const std::size_t shown = std::min(sources.size(), kShownInputs);
+  for (std::size_t i = 0; i < shown; ++i)
+    fmt::format_to(Out(text), "      {}\n",
+                   line_text(to_text(input.sources[sources[i]], input.files)));
+  if (shown < sources.size())
+    fmt::format_to(Out(text), "      and {} more inputs\n", sources.size() - shown);
+}
+
+void append_finding(std::string& text, const SegmentSet& input, const Finding& finding,
+                    std::size_t finding_number) {
+  fmt::format_to(Out(text), "{:>4}. {} {}", finding_number, to_text(finding.kind),
+                 to_text(finding.disagreement));
+  if (finding.kind != CellKind::Complex) {
+    const PointD place = nearest(finding.where);
+    fmt::format_to(Out(text), " at ({}, {})", number(place.x), number(place.y));
+  }
+  fmt::format_to(Out(text), ": {}\n", line_text(finding.message));
+  append_inputs(text, input, finding);
+}
+
+}  // namespace
+
+std::string report_text(const CheckedDrawing& checked, std::size_t limit) {
+  const Crosscheck& c = checked.crosscheck;
+  std::string text = verdict(c) + '\n';
+  append_counts(text, c);
+  fmt::format_to(Out(text), "radius {}, tolerance {}, largest displacement {}\n",
+                 number(checked.radius), number(c.tolerance), number(c.largest_displacement));
+  if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
+  append_input(text, checked.input);
+  append_ledger(text, checked.input.ledger);
+  if (c.agree()) return text;
+  text += '\n';
+  const std::size_t shown = std::min(c.findings.size(), limit);
+  for (std::size_t i = 0; i < shown; ++i) append_finding(text, checked.input, c.findings[i], i + 1);
+  if (shown < c.findings.size())
+    fmt::format_to(Out(text), "... and {} more (see -o report.json)\n", c.findings.size() - shown);
+  return text;
+}
+
+}  // namespace plumbline

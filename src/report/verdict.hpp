@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plumbline/report.hpp"
+
+namespace plumbline {
+
+/// "agree", or "disagree: 3 findings".
+std::string verdict(const Crosscheck& crosscheck);
+
+/// A row of the table of counts.
+struct CountRow {
+  const char* name;
+  std::size_t Counts::*member;
+};
+/// The rows in the order of every report.
+const std::vector<CountRow>& count_rows();
+
+/// The sources of the segments, each once, in the order of the segments.
+std::vector<SourceId> sources_of(const SegmentSet& input, const std::vector<SegmentId>& segments);
+
+}  // namespace plumbline
