@@ -16,10 +16,10 @@ namespace {
 using picture::Box;
 using Out = std::back_insert_iterator<std::string>;
 
-constexpr double kRadius = 8;
+constexpr double kLargestRing = 8, kSmallestRing = 3;
 constexpr double kFontSize = 13;
 constexpr double kDigitWidth = 0.62 * kFontSize;  // digits of the usual sans-serif fonts
-constexpr double kGap = 3;
+constexpr double kGap = 6, kBaseline = 2;
 constexpr double kSameRing = 2;  // pixels; rings closer than this look like one
 constexpr double kBucket = 5;    // pixels; space for labels is handed out in such squares
 constexpr std::size_t kMaxOnLabel = 4;
@@ -45,10 +45,22 @@ std::string label_text(const std::vector<std::size_t>& numbers) {
   return numbers.size() > kMaxOnLabel ? text + ", \u2026" : text;
 }
 
+/// The radius of the rings: smaller where there are very many of them.
+double ring_radius(std::size_t rings) {
+  const double crowd = static_cast<double>(rings) / static_cast<double>(kAllNumbered);
+  return std::clamp(kLargestRing / std::sqrt(std::max(crowd, 1.0)), kSmallestRing, kLargestRing);
+}
+
 /// Hands out the space of a panel.
 class Space {
  public:
   explicit Space(const Box& panel) : panel_(panel) {}
+
+  /// Takes the box, whatever is there.
+  void reserve(const Box& box) {
+    const auto squares = squares_of(box);
+    taken_.insert(squares.begin(), squares.end());
+  }
 
   /// Takes the box unless it leaves the panel or a part of it is taken.
   bool take(const Box& box) {
@@ -76,8 +88,8 @@ class Space {
 };
 
 /// Places of a label beside a ring, the preferred one first.
-std::vector<Box> label_boxes(const PointD& ring, double width) {
-  const double away = kRadius + kGap, half = kFontSize / 2;
+std::vector<Box> label_boxes(const PointD& ring, double radius, double width) {
+  const double away = radius + kGap, half = kFontSize / 2;
   const auto box = [&](double x, double y) {
     return Box{{ring.x + x, ring.y + y}, {ring.x + x + width, ring.y + y + kFontSize}};
   };
@@ -93,27 +105,31 @@ std::vector<Box> label_boxes(const PointD& ring, double width) {
 
 void append_label(std::string& svg, const Box& box, const std::string& text) {
   fmt::format_to(Out(svg), "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", box.low.x,
-                 box.high.y - kGap + 1, text);
+                 box.high.y - kBaseline, text);
 }
 
 }  // namespace
 
 std::string labelled_rings(const std::vector<FindingPlace>& places, const Box& panel) {
   const Rings rings = rings_of(places);
-  std::string svg =
-      fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\">\n", picture::kMark);
+  const double radius = ring_radius(rings.size());
+  std::string svg = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\">\n",
+                                picture::kMark, radius / 5);
   for (const auto& [key, ring] : rings)
     fmt::format_to(Out(svg), "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>\n", ring.first.x,
-                   ring.first.y, kRadius);
+                   ring.first.y, radius);
   fmt::format_to(Out(svg),
                  "</g>\n<g fill=\"{}\" font-size=\"{}\" font-weight=\"bold\" stroke=\"#ffffff\" "
                  "stroke-width=\"3\" paint-order=\"stroke\">\n",
                  picture::kMark, kFontSize);
   Space space(panel);
+  for (const auto& [key, ring] : rings)
+    space.reserve({{ring.first.x - radius, ring.first.y - radius},
+                   {ring.first.x + radius, ring.first.y + radius}});
   for (const auto& [key, ring] : rings) {
     const std::string text = label_text(ring.second);
     const std::vector<Box> boxes =
-        label_boxes(ring.first, static_cast<double>(text.size()) * kDigitWidth);
+        label_boxes(ring.first, radius, static_cast<double>(text.size()) * kDigitWidth);
     const auto box = std::find_if(boxes.begin(), boxes.end(),
                                   [&](const Box& candidate) { return space.take(candidate); });
     if (box != boxes.end())

@@ -77,7 +77,7 @@ void append_inputs(std::string& text, const SegmentSet& input, const Finding& fi
     fmt::format_to(Out(text), "      {}\n",
                    line_text(to_text(input.sources[sources[i]], input.files)));
   if (shown < sources.size())
-    fmt::format_to(Out(text), "      and {} more inputs\n", sources.size() - shown);
+    fmt::format_to(Out(text), "      and {} more\n", sources.size() - shown);
 }
 
 void append_finding(std::string& text, const SegmentSet& input, const Finding& finding,
