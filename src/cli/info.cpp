@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "cli/commands.hpp"
+#include "cli/load.hpp"
+#include "cli/print.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+/// Per segment, the first segment with the same ends, in either direction.
+std::vector<SegmentId> representatives(const SegmentSet& input) {
+  std::map<std::pair<Point, Point>, SegmentId> first;
+  std::vector<SegmentId> result;
+  for (std::size_t s = 0; s < input.segments.size(); ++s) {
+    const auto [low, high] = std::minmax(input.segments[s].a, input.segments[s].b);
+    result.push_back(first.try_emplace({low, high}, SegmentId(s)).first->second);
+  }
+  return result;
+}
+
+void print_repetitions(const Drawing& drawing) {
+  const std::vector<SegmentId> first = representatives(drawing.input);
+  std::size_t duplicates = 0;
+  for (std::size_t s = 0; s < first.size(); ++s) duplicates += first[s] != SegmentId(s) ? 1 : 0;
+  std::set<std::pair<SegmentId, SegmentId>> overlaps;
+  for (std::size_t e = 0; e < drawing.complex.edge_count(); ++e) {
+    std::set<SegmentId> distinct;
+    for (const SegmentId s : drawing.complex.edge_sources[e]) distinct.insert(first[s]);
+    for (auto s = distinct.begin(); s != distinct.end(); ++s) {
+      for (auto t = std::next(s); t != distinct.end(); ++t) overlaps.emplace(*s, *t);
+    }
+  }
+  fmt::print("duplicates   {} segments repeat an earlier one\n", duplicates);
+  fmt::print("overlaps     {} pairs of different segments share more than a point\n",
+             overlaps.size());
+}
+
+void print_extent(const ExactComplex& complex) {
+  if (complex.vertices.empty()) return;
+  const auto by_y = [](const Point& p, const Point& q) { return p.y < q.y; };
+  const auto [low, high] =
+      std::minmax_element(complex.vertices.begin(), complex.vertices.end(), by_y);
+  fmt::print("extent       x {} .. {}, y {} .. {}\n", exact_text(complex.vertices.front().x),
+             exact_text(complex.vertices.back().x), exact_text(low->y), exact_text(high->y));
+}
+
+void print_features(const ExactComplex& complex) {
+  if (complex.edge_count() == 0) return;
+  const FeatureSize size = feature_size(complex);
+  const auto distance = [](const Rational& squared) {
+    return shortest_text(std::sqrt(nearest_double(squared)));
+  };
+  const auto at = [&](VertexId v) {
+    const PointD p = nearest(complex.vertices[v]);
+    return fmt::format("({}, {})", shortest_text(p.x), shortest_text(p.y));
+  };
+  fmt::print("features     nearest vertices {} apart, {} and {}\n",
+             distance(size.squared_vertex_vertex), at(size.v), at(size.w));
+  if (!size.edge.valid()) return;
+  const Edge& edge = complex.edges[size.edge];
+  fmt::print("             nearest vertex and edge {} apart, {} and {} - {}\n",
+             distance(size.squared_vertex_edge), at(size.vertex), at(edge.tail), at(edge.head));
+}
+
+}  // namespace
+
+ExitCode run(const InfoArguments& arguments) {
+  const Drawing drawing = load(arguments.file);
+  fmt::print("drawing      {}: {} elements, {} segments, {} rejected\n", arguments.file,
+             drawing.input.sources.size(), drawing.input.segments.size(),
+             drawing.input.rejected.size());
+  fmt::print("{}", rejected_lines(drawing.input));
+  fmt::print("exactness    {}\n", exactness_line(drawing.input));
+  print_extent(drawing.complex);
+  print_repetitions(drawing);
+  fmt::print("arrangement  {}\n", counts_line(drawing.complex));
+  print_features(drawing.complex);
+  fmt::print("signature    {}\n", signature(drawing.complex));
+  return kAgree;
+}
+
+}  // namespace plumbline::cli

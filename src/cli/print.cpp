@@ -1,0 +1,41 @@
+#include "cli/print.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+namespace plumbline::cli {
+
+std::string counts_line(const ExactComplex& complex) {
+  const Counts c = counts(complex, complex.vertices.size());
+  return fmt::format(
+      "{} vertices, {} edges ({} antennas), {} faces with {} holes, {} components, depth {}",
+      c.vertices, c.edges, c.antennas, c.faces, c.holes, c.components, c.depth);
+}
+
+std::string rejected_lines(const SegmentSet& input) {
+  constexpr std::size_t kShownLines = 8;
+  std::map<std::pair<std::string, std::string>, std::vector<std::uint32_t>> groups;
+  for (const Rejected& item : input.rejected) {
+    groups[{item.source.element, item.reason}].push_back(item.source.line);
+  }
+  std::string text;
+  for (const auto& [what, lines] : groups) {
+    text += fmt::format("  {} x {}: {}; line", lines.size(), what.first, what.second);
+    for (std::size_t i = 0; i < std::min(lines.size(), kShownLines); ++i) {
+      text += fmt::format(" {}", lines[i]);
+    }
+    text += lines.size() > kShownLines ? " ...\n" : "\n";
+  }
+  return text;
+}
+
+std::string exactness_line(const SegmentSet& input) {
+  if (input.ledger.empty()) return "every coordinate is exactly what the file says";
+  const Replacement& first = input.ledger.front();
+  return fmt::format("{} numbers were replaced, the first: {} within {} ({})", input.ledger.size(),
+                     first.what, first.bound, to_text(first.source, input.files));
+}
+
+}  // namespace plumbline::cli
