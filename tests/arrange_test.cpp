@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <random>
 #include <utility>
 
+#include "support/affine_image.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
@@ -47,27 +47,11 @@ SegmentSet lattice_segments(unsigned seed, int count, int side) {
   return set;
 }
 
-using Map = std::function<Point(const Point&)>;
-
-SegmentSet mapped(const SegmentSet& input, const Map& map) {
+SegmentSet mapped(const SegmentSet& input, const Affine& map) {
   SegmentSet result;
   const SourceId source = result.add_source({});
-  for (const Segment& s : input.segments) result.add({map(s.a), map(s.b)}, source);
+  for (const Segment& s : input.segments) result.add({apply(map, s.a), apply(map, s.b)}, source);
   return result;
-}
-
-/// The image of a complex under a map that keeps (or, where it mirrors, reverses) orientation.
-ExactComplex mapped(ExactComplex complex, const Map& map, bool mirrors) {
-  for (Point& p : complex.vertices) p = map(p);
-  if (!mirrors) return canonical(complex);
-  Lists<HalfedgeId> cycles;
-  for (std::size_t i = 0; i < complex.cycles.size(); ++i) {
-    std::vector<HalfedgeId> cycle;
-    for (const HalfedgeId h : complex.cycles[i]) cycle.insert(cycle.begin(), twin(h));
-    cycles.push_back(cycle);
-  }
-  complex.cycles = cycles;
-  return canonical(complex);
 }
 
 }  // namespace
@@ -204,33 +188,14 @@ TEST_CASE(
 TEST_CASE("the arrangement of an affine image is the image of the arrangement") {
   const SegmentSet input = lattice_segments(GENERATE(range(100U, 110U)), 40, 9);
   const ExactComplex complex = arrange(input);
-  const auto [name, map, mirrors] = GENERATE(table<std::string, Map, bool>({
-      {"mirrored",
-       [](const Point& p) {
-         return Point{-p.x, p.y};
-       },
-       true},
-      {"rotated by 90 degrees",
-       [](const Point& p) {
-         return Point{-p.y, p.x};
-       },
-       false},
-      {"scaled by 1/3",
-       [](const Point& p) {
-         return Point{p.x / 3, p.y / 3};
-       },
-       false},
+  const auto [name, map] = GENERATE(table<std::string, Affine>({
+      {"mirrored", {-1, 0, 0, 1, 0, 0}},
+      {"rotated by 90 degrees", {0, 1, -1, 0, 0, 0}},
+      {"scaled by 1/3", {Rational(1, 3), 0, 0, Rational(1, 3), 0, 0}},
       {"rotated by a rational angle",
-       [](const Point& p) {
-         return Point{(3 * p.x - 4 * p.y) / 5, (4 * p.x + 3 * p.y) / 5};
-       },
-       false},
-      {"sheared and moved",
-       [](const Point& p) {
-         return Point{p.x + p.y / 7 - 1000, p.y + 5};
-       },
-       false},
+       {Rational(3, 5), Rational(4, 5), Rational(-4, 5), Rational(3, 5), 0, 0}},
+      {"sheared and moved", {1, 0, Rational(1, 7), 1, -1000, 5}},
   }));
   CAPTURE(name);
-  CHECK(signature(arrange(mapped(input, map))) == signature(mapped(complex, map, mirrors)));
+  CHECK(signature(arrange(mapped(input, map))) == signature(affine_image(complex, map)));
 }

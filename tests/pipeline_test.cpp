@@ -1,0 +1,79 @@
+// The whole way of real drawings, from the file to the exact complex.
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <random>
+
+#include "plumbline/plumbline.hpp"
+#include "support/affine_image.hpp"
+#include "support/segments.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+const std::string kDrawing[] = {"dwelling.svg", "hospital-emergency.svg", "hospital-ward.svg",
+                                "office-plan.svg", "building.svg"};
+
+Structure drawing(const std::string& name) {
+  return read(std::string(PLUMBLINE_EXAMPLES) + "/" + name);
+}
+
+/// The drawing with a map in front of everything else in its root.
+SegmentSet mapped(Structure structure, const Affine& map) {
+  auto& body = structure.structs[structure.root].body;
+  body.insert(body.begin(), map);
+  return evaluate(structure);
+}
+
+}  // namespace
+
+TEST_CASE("the exact complex of a real drawing keeps all invariants and covers the drawing") {
+  const std::string name = GENERATE(from_range(std::begin(kDrawing), std::end(kDrawing)));
+  CAPTURE(name);
+  const SegmentSet input = evaluate(drawing(name));
+  const ExactComplex complex = arrange(input);
+  CHECK(to_text(validate(complex)) == "");
+  CHECK(to_text(validate_coverage(complex, input)) == "");
+  CHECK(input.ledger.empty());
+}
+
+TEST_CASE("V, E and F of real drawings are those of an independent rational arrangement") {
+  // Recorded from another program: all pairs of segments in Python's Fraction over the file's
+  // decimals.
+  const auto [name, expected] = GENERATE(table<std::string, std::string>({
+      {"dwelling.svg", "V 33 E 39 F 8 C 1"},
+      {"hospital-emergency.svg", "V 681 E 728 F 181 C 133"},
+      {"hospital-ward.svg", "V 766 E 853 F 227 C 139"},
+      {"office-plan.svg", "V 370 E 475 F 108 C 2"},
+      {"building.svg", "V 576 E 876 F 303 C 2"},
+  }));
+  CHECK(summary(arrange(evaluate(drawing(name)))).substr(0, expected.size()) == expected);
+}
+
+TEST_CASE("a mapped drawing has the image of the drawing's complex") {
+  const std::string name = GENERATE(from_range(std::begin(kDrawing), std::end(kDrawing)));
+  const auto [what, map] = GENERATE(table<std::string, Affine>({
+      {"mirrored", {-1, 0, 0, 1, 0, 0}},
+      {"rotated by 90 degrees", {0, 1, -1, 0, 0, 0}},
+      {"scaled by 1/3", {Rational(1, 3), 0, 0, Rational(1, 3), 0, 0}},
+  }));
+  CAPTURE(name, what);
+  const ExactComplex complex = arrange(evaluate(drawing(name)));
+  CHECK(signature(arrange(mapped(drawing(name), map))) == signature(affine_image(complex, map)));
+}
+
+TEST_CASE("a drawing shuffled, reversed and duplicated has the same complex") {
+  const std::string name = GENERATE(from_range(std::begin(kDrawing), std::end(kDrawing)));
+  CAPTURE(name);
+  SegmentSet input = evaluate(drawing(name));
+  const std::string expected = signature(arrange(input));
+  std::mt19937 random(7);
+  std::shuffle(input.segments.begin(), input.segments.end(), random);
+  CHECK(signature(arrange(input)) == expected);
+  for (Segment& s : input.segments) std::swap(s.a, s.b);
+  CHECK(signature(arrange(input)) == expected);
+  input.segments.insert(input.segments.end(), input.segments.begin(), input.segments.end());
+  CHECK(signature(arrange(input)) == expected);
+}

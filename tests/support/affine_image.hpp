@@ -1,0 +1,21 @@
+#pragma once
+
+#include "plumbline/complex.hpp"
+#include "plumbline/structure.hpp"
+
+/// The image of a complex under an invertible map. A map that reverses orientation turns every
+/// cycle.
+inline plumbline::ExactComplex affine_image(plumbline::ExactComplex complex,
+                                            const plumbline::Affine& map) {
+  using namespace plumbline;
+  for (Point& p : complex.vertices) p = apply(map, p);
+  if (map.a * map.d - map.b * map.c > 0) return canonical(complex);
+  Lists<HalfedgeId> cycles;
+  for (std::size_t i = 0; i < complex.cycles.size(); ++i) {
+    std::vector<HalfedgeId> cycle;
+    for (const HalfedgeId h : complex.cycles[i]) cycle.insert(cycle.begin(), twin(h));
+    cycles.push_back(cycle);
+  }
+  complex.cycles = cycles;
+  return canonical(complex);
+}
