@@ -38,7 +38,7 @@ Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& flo
   append(edges.findings);
   const matching::CycleMatch cycles = matching::match_cycles(sides, edges);
   const matching::FaceMatch faces =
-      matching::match_faces(sides, edges, cycles, result.float_valid, next_number());
+      matching::match_faces(sides, vertices, edges, cycles, result.float_valid);
   append(faces.findings);
   append(matching::nesting(sides, vertices, edges, cycles, faces));
 

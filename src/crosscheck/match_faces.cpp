@@ -20,18 +20,17 @@ std::pair<std::size_t, std::size_t> pair_of(Side side, std::size_t here, std::si
 
 class FaceMatcher {
  public:
-  FaceMatcher(const Sides& sides, const EdgeMatch& edges, const CycleMatch& cycles,
-              bool float_is_valid, std::size_t first_number)
+  FaceMatcher(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
+              const CycleMatch& cycles, bool float_is_valid)
       : sides_(sides),
+        vertices_(vertices),
         edges_(edges),
         cycles_(cycles),
-        float_is_valid_(float_is_valid),
-        first_number_(first_number) {
+        float_is_valid_(float_is_valid) {
     for (const Side side : kBothSides) {
       const std::size_t count = sides[side].face_count();
       result_.match[side].resize(count);
       result_.group[side].assign(count, kNoGroup);
-      result_.number[side].resize(count);
       inside_[side].resize(count);
       lies_in_[side].resize(count);
     }
@@ -57,14 +56,19 @@ class FaceMatcher {
   void report(const Group& group);
   std::string message(const Group& group) const;
   std::string note(Side side, FaceId f) const;
-  std::vector<EdgeId> disagreeing_edges(Side side, FaceId f) const;
+  /// Earlier findings that explain a disagreement, and the edges that they are about.
+  struct Cause {
+    Numbers numbers;
+    Both<std::vector<EdgeId>> edges;
+  };
+  Cause cause(const Group& group) const;
   Point place_in(Side side, FaceId f) const;
 
   const Sides& sides_;
+  const VertexMatch& vertices_;
   const EdgeMatch& edges_;
   const CycleMatch& cycles_;
   const bool float_is_valid_;
-  const std::size_t first_number_;
   Both<std::vector<std::optional<Point>>> inside_;  ///< interior points, where they were asked for
   Both<std::vector<FaceId>> lies_in_;               ///< faces of the other side at these points
   FaceMatch result_;
@@ -154,12 +158,29 @@ void FaceMatcher::account_for_groups(const Pairs& relation) {
   }
 }
 
-std::vector<EdgeId> FaceMatcher::disagreeing_edges(Side side, FaceId f) const {
-  std::vector<EdgeId> result;
-  for (const HalfedgeId h : sides_[side].cycles[sides_[side].face_outer[f]])
-    if (!edges_.match[side][edge_of(h)].valid() || edges_.number[side][edge_of(h)] != 0)
-      result.push_back(edge_of(h));
-  return result;
+/// By the edges of the outer boundaries that disagree; where there are none, by the vertices (two
+/// vertices that became one can close a face or take it apart).
+FaceMatcher::Cause FaceMatcher::cause(const Group& group) const {
+  Cause by_edges, by_vertices, unknown;
+  for (const Side side : kBothSides)
+    for (const std::size_t f : group[side])
+      for (const HalfedgeId h : sides_[side].cycles[sides_[side].face_outer[f]]) {
+        const EdgeId e = edge_of(h);
+        unknown.edges[side].push_back(e);
+        if (edges_.number[side][e] != 0) {
+          by_edges.numbers.push_back(edges_.number[side][e]);
+          by_edges.edges[side].push_back(e);
+        }
+        const VertexId v = sides_[side].origin(h);
+        if (vertices_.number[side][v] != 0) {
+          by_vertices.numbers.push_back(vertices_.number[side][v]);
+          for (const HalfedgeId out : sides_.outgoing[side][v])
+            by_vertices.edges[side].push_back(edge_of(out));
+        }
+      }
+  return !by_edges.numbers.empty()      ? by_edges
+         : !by_vertices.numbers.empty() ? by_vertices
+                                        : unknown;
 }
 
 Point FaceMatcher::place_in(Side side, FaceId f) const {
@@ -199,28 +220,23 @@ void FaceMatcher::report(const Group& group) {
                          : m > n  ? Disagreement::Merged
                                   : Disagreement::Split;
   finding.message = message(group);
-  Numbers causes;
-  for (const Side side : kBothSides)
-    for (const std::size_t f : group[side]) {
-      std::vector<EdgeId> edges = disagreeing_edges(side, FaceId(f));
-      for (const EdgeId e : edges) causes.push_back(edges_.number[side][e]);
-      finding.segments = joined(std::move(finding.segments), segments_of(sides_[side], edges));
-      cells(finding, side).push_back(f);
-      result_.number[side][f] = first_number_ + result_.findings.size();
-    }
+  Cause why = cause(group);
+  finding.segments = joined(segments_of(sides_[kExact], why.edges[kExact]),
+                            segments_of(sides_[kFloat], why.edges[kFloat]));
+  for (const Side side : kBothSides) cells(finding, side) = group[side];
   const Side side = m == 0 || m < n ? kFloat : kExact;
   const FaceId last(group[side].back());
   finding.where = place_in(side, last);
   if (m == 0 || n == 0) finding.message += note(side, last);
-  finding.message += because_of(std::move(causes));
+  finding.message += because_of(std::move(why.numbers));
   result_.findings.push_back(std::move(finding));
 }
 
 }  // namespace
 
-FaceMatch match_faces(const Sides& sides, const EdgeMatch& edges, const CycleMatch& cycles,
-                      bool float_is_valid, std::size_t first_number) {
-  return FaceMatcher(sides, edges, cycles, float_is_valid, first_number).run();
+FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
+                      const CycleMatch& cycles, bool float_is_valid) {
+  return FaceMatcher(sides, vertices, edges, cycles, float_is_valid).run();
 }
 
 }  // namespace plumbline::matching

@@ -101,11 +101,10 @@ void NestingCheck::add(const Group& group, Disagreement disagreement, std::strin
   finding.message = std::move(message) + because_of(causes(group));
   for (const Side side : kBothSides) {
     cells(finding, side) = group[side];
-    for (const std::size_t c : group[side]) {
-      std::vector<EdgeId> edges;
+    std::vector<EdgeId> edges;
+    for (const std::size_t c : group[side])
       for (const HalfedgeId h : sides_[side].cycles[c]) edges.push_back(edge_of(h));
-      finding.segments = joined(std::move(finding.segments), segments_of(sides_[side], edges));
-    }
+    finding.segments = joined(std::move(finding.segments), segments_of(sides_[side], edges));
   }
   const Side side = group[kExact].empty() ? kFloat : kExact;
   finding.where = sides_.point(side, sides_[side].origin(sides_[side].cycles[group[side][0]][0]));

@@ -3,8 +3,9 @@
 #include "crosscheck/groups.hpp"
 #include "crosscheck/sides.hpp"
 
-// The steps of the cross-check, in order. Each gives its correspondence and its findings, which are
-// numbered on from `first_number`, so that a later step can name an earlier finding as the cause.
+// The steps of the cross-check, in order. Each gives its correspondence and its findings. Findings
+// of vertices and edges are numbered on from `first_number`, so that later steps can name them as
+// causes.
 namespace plumbline::matching {
 
 /// Numbers of findings by cell; 0: the cell is in no finding.
@@ -55,14 +56,13 @@ struct FaceMatch {
   /// the unbounded faces; kNoGroup: Missing or Extra.
   Both<std::vector<std::size_t>> group;
   std::vector<Finding> findings;
-  Both<Numbers> number;
 };
 inline constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
 /// Faces are matched by equal outer boundaries; the rest corresponds by boundaries that differ only
 /// by merged or split cells, and then by where interior points lie. Cost: O(E log E) and for each
 /// of the remaining faces the edges that a horizontal line through its interior point meets.
-FaceMatch match_faces(const Sides& sides, const EdgeMatch& edges, const CycleMatch& cycles,
-                      bool float_is_valid, std::size_t first_number);
+FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
+                      const CycleMatch& cycles, bool float_is_valid);
 
 /// Holes and isolated vertices: Missing, Extra, Merged, Split, Reshaped or in the wrong face. Holes
 /// of the unbounded face (the outlines of components) are reported only as WrongParent.

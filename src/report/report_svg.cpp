@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 
 #include "plumbline/report.hpp"
@@ -135,8 +136,9 @@ std::string legend(const Layout& where, const CheckedDrawing& checked) {
 
 std::string header(const CheckedDrawing& checked, const Layout& where) {
   const Crosscheck& c = checked.crosscheck;
-  const std::string file = checked.input.files.empty() ? "" : checked.input.files.front() + ": ";
-  std::string words = file + verdict(c);
+  std::string words = verdict(c);
+  if (!checked.input.files.empty())
+    words = std::filesystem::path(checked.input.files.front()).filename().string() + ": " + words;
   if (!c.float_valid) words += "; the float result is not a valid complex";
   const std::string colour = c.agree() ? picture::kInk : picture::kMark;
   return text(kMargin, 40, 24, " font-weight=\"bold\" fill=\"" + colour + "\"", words) +
