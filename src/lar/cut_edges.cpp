@@ -3,7 +3,6 @@
 // of n lines has n^2 of them.
 
 #include <algorithm>
-#include <limits>
 
 #include "lar/points.hpp"
 #include "lar/stages.hpp"
@@ -13,7 +12,7 @@ namespace {
 
 using BucketId = Index<struct BucketTag>;
 
-bool meets(const Box& s, const Box& t) {
+bool overlap(const Box& s, const Box& t) {
   return s[0] <= t[2] && t[0] <= s[2] && s[1] <= t[3] && t[1] <= s[3];
 }
 
@@ -21,19 +20,40 @@ SegmentD segment(const Graph& graph, EdgeId e) {
   return {graph.vertices[graph.edges[e].tail], graph.vertices[graph.edges[e].head]};
 }
 
-std::vector<std::vector<BucketId>> buckets_of_edges(const Lists<EdgeId>& buckets,
-                                                    std::size_t edges) {
-  std::vector<std::vector<BucketId>> result(edges);
-  for (std::size_t b = 0; b < buckets.size(); ++b) {
-    for (EdgeId e : buckets[b]) result[e].push_back(BucketId(b));
+/// The edges whose boxes overlap, through the buckets that they share.
+class Neighbours {
+ public:
+  Neighbours(std::span<const Box> boxes, const Lists<EdgeId>& buckets)
+      : boxes_(boxes), buckets_(buckets), buckets_of_(boxes.size()), visited_by_(boxes.size()) {
+    for (std::size_t b = 0; b < buckets.size(); ++b) {
+      for (EdgeId e : buckets[b]) buckets_of_[e].push_back(BucketId(b));
+    }
   }
-  return result;
-}
+
+  /// Calls visit(other) once for each.
+  template <class Visit>
+  void for_each(EdgeId e, Visit visit) {
+    visited_by_[e] = e;
+    for (BucketId b : buckets_of_[e]) {
+      for (EdgeId other : buckets_[b]) {
+        if (visited_by_[other] == e) continue;
+        visited_by_[other] = e;
+        if (overlap(boxes_[e], boxes_[other])) visit(other);
+      }
+    }
+  }
+
+ private:
+  std::span<const Box> boxes_;
+  const Lists<EdgeId>& buckets_;
+  std::vector<std::vector<BucketId>> buckets_of_;
+  std::vector<EdgeId> visited_by_;
+};
 
 /// Sorts, and drops what lies within `same` of the one kept before, or further from it than the
 /// edge is long: two ends beside a short edge, one on each side, would replace it by their
 /// connection, and next time that by the edge.
-void reduce(std::vector<Cut>& cuts, const SegmentD& edge, double same) {
+std::vector<Cut> reduced(std::vector<Cut> cuts, const SegmentD& edge, double same) {
   std::sort(cuts.begin(), cuts.end(), [](const Cut& s, const Cut& t) {
     return s.parameter != t.parameter ? s.parameter < t.parameter : s.point < t.point;
   });
@@ -45,7 +65,7 @@ void reduce(std::vector<Cut>& cuts, const SegmentD& edge, double same) {
                           squared_distance(kept.back().point, cut.point) >= length);
     if (!superfluous) kept.push_back(cut);
   }
-  cuts = std::move(kept);
+  return kept;
 }
 
 }  // namespace
@@ -53,27 +73,26 @@ void reduce(std::vector<Cut>& cuts, const SegmentD& edge, double same) {
 Lists<Cut> cut_edges(const Graph& graph, std::span<const Box> boxes, const Lists<EdgeId>& buckets,
                      double radius) {
   const double same = kLeastRelativeRadius / 4 * largest_coordinate(graph.vertices);
-  const auto memberships = buckets_of_edges(buckets, graph.edges.size());
-  std::vector<EdgeId> met_by(graph.edges.size());
+  Neighbours neighbours(boxes, buckets);
   Lists<Cut> result;
-  std::vector<Cut> cuts;
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const EdgeId e(i);
-    cuts.clear();
-    met_by[e] = e;
-    for (BucketId b : memberships[e]) {
-      for (EdgeId other : buckets[b]) {
-        if (met_by[other] == e) continue;
-        met_by[other] = e;
-        if (!meets(boxes[e], boxes[other])) continue;
+    const SegmentD edge = segment(graph, e);
+    std::vector<Cut> cuts;
+    // An edge no longer than the radius will become a point: no place on it is worth a cut, and
+    // where it crosses another such edge some of their ends are near each other.
+    const bool vanishes = near(edge.a, edge.b, radius);
+    if (!vanishes) {
+      neighbours.for_each(e, [&](EdgeId other) {
+        const SegmentD partner = segment(graph, other);
         const Meeting meeting =
-            meet(segment(graph, std::min(e, other)), segment(graph, std::max(e, other)), radius);
-        const std::vector<Cut>& mine = e < other ? meeting.on_first : meeting.on_second;
-        cuts.insert(cuts.end(), mine.begin(), mine.end());
-      }
+            e < other ? meet(edge, partner, radius) : meet(partner, edge, radius);
+        for (const Cut& cut : e < other ? meeting.on_first : meeting.on_second) {
+          if (cuts.empty() || !near(cuts.back().point, cut.point, same)) cuts.push_back(cut);
+        }
+      });
     }
-    reduce(cuts, segment(graph, e), same);
-    result.push_back(cuts);
+    result.push_back(reduced(std::move(cuts), edge, same));
   }
   return result;
 }

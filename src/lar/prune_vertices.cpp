@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nanoflann.hpp>
 
+#include "lar/crowds.hpp"
 #include "lar/points.hpp"
 #include "lar/stages.hpp"
 #include "lar/union_find.hpp"
@@ -38,7 +39,7 @@ struct UniteNear {
   /// A little more than the squared radius: the tree adds up its distances with rounding.
   double worstDist() const { return radius * radius * (1 + 1e-6); }
   bool addPoint(double, std::uint32_t other) {
-    if (other < point && near(points[point], points[other], radius)) classes.unite(point, other);
+    if (near(points[point], points[other], radius)) classes.unite(point, other);
     return true;
   }
 };
@@ -55,16 +56,27 @@ PointD centroid(std::span<const PointD> points, std::span<const VertexId> member
   return {origin.x + dx / n + 0.0, origin.y + dy / n + 0.0};
 }
 
-/// The classes, ascending by their least member.
-std::vector<std::vector<VertexId>> near_classes(std::span<const PointD> points, double radius) {
+/// Unites every point with all that are near it, except where a crowd spares the search.
+void unite_near(std::span<const PointD> points, double radius, UnionFind& classes) {
   const Cloud cloud{points};
   const Tree tree(2, cloud);
-  UnionFind classes(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const auto search = [&](std::size_t i) {
     UniteNear found{points, i, radius, classes};
     const double query[2] = {points[i].x, points[i].y};
     tree.findNeighbors(found, query, nanoflann::SearchParams());
+  };
+  Crowds crowds(points, radius, classes);
+  // One point of each crowd first, which unites most that there is to unite.
+  for (std::size_t i : crowds.representatives()) search(i);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!crowds.is_united_around(i)) search(i);
   }
+}
+
+/// The classes, ascending by their least member.
+std::vector<std::vector<VertexId>> near_classes(std::span<const PointD> points, double radius) {
+  UnionFind classes(points.size());
+  unite_near(points, radius, classes);
   std::vector<std::vector<VertexId>> members(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) members[classes.find(i)].push_back(VertexId(i));
   std::erase_if(members, [](const auto& list) { return list.empty(); });
