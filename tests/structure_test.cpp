@@ -7,6 +7,7 @@
 #include <random>
 
 #include "plumbline/error.hpp"
+#include "support/listing.hpp"
 
 using plumbline::Affine;
 using plumbline::ApproximateAffine;
@@ -35,20 +36,6 @@ Model model(const std::string& text, const std::string& id = "") {
   plumbline::Source source;
   source.id = id;
   return {source, {{point(text.substr(0, comma)), point(text.substr(comma + 2))}}};
-}
-
-/// The evaluated segments, each with its source.
-std::string listing(const Structure& structure) {
-  const auto set = evaluate(structure);
-  std::string text;
-  for (std::size_t i = 0; i < set.segments.size(); ++i) {
-    const auto& source = set.sources.at(set.segment_source.at(i));
-    text += to_text(set.segments[i]) + " " + to_text(source, set.files) + "\n";
-  }
-  for (const auto& item : set.rejected) {
-    text += "rejected " + to_text(item.source, set.files) + ": " + item.reason + "\n";
-  }
-  return text;
 }
 
 Structure structure_of(std::vector<Struct> structs) {
@@ -195,17 +182,17 @@ TEST_CASE("a map applies to all that follows it in the same body, the last one f
                                {model("0 0, 1 0"), translation(10, 0), model("0 0, 1 0"),
                                 scaling(2, 2), model("0 0, 1 0"), StructId(1)}},
                               {"inner", "", {translation(0, 1), model("0 0, 1 0", "deep")}}})) ==
-        "0 0, 1 0 \n"
-        "10 0, 11 0 \n"
-        "10 0, 12 0 \n"
-        "10 2, 12 2 #deep (inner)\n");
+        "0 0, 1 0 | \n"
+        "10 0, 11 0 | \n"
+        "10 0, 12 0 | \n"
+        "10 2, 12 2 | #deep (inner)\n");
 }
 
 TEST_CASE("a map in a sub-structure ends with it") {
   CHECK(listing(structure_of({{"", "", {StructId(1), model("0 0, 1 0")}},
                               {"", "", {translation(5, 5), model("0 0, 1 0")}}})) ==
-        "5 5, 6 5 \n"
-        "0 0, 1 0 \n");
+        "5 5, 6 5 | \n"
+        "0 0, 1 0 | \n");
 }
 
 TEST_CASE("a shared structure appears once for each reference, under its path of names") {
@@ -213,17 +200,18 @@ TEST_CASE("a shared structure appears once for each reference, under its path of
                               {"flat", "", {StructId(2), StructId(3)}},
                               {"", "", {model("0 0, 1 0", "a")}},
                               {"room", "", {model("0 1, 1 1", "b")}}})) ==
-        "0 0, 1 0 #a (flat)\n"
-        "0 1, 1 1 #b (flat/room)\n"
-        "0 3, 1 3 #a (flat)\n"
-        "0 4, 1 4 #b (flat/room)\n");
+        "0 0, 1 0 | #a (flat)\n"
+        "0 1, 1 1 | #b (flat/room)\n"
+        "0 3, 1 3 | #a (flat)\n"
+        "0 4, 1 4 | #b (flat/room)\n");
 }
 
 TEST_CASE("a segment that a map shrinks to nothing is rejected with its source") {
   CHECK(listing(structure_of({{"", "", {scaling(0, 1), StructId(1)}},
                               {"g", "", {model("1 2, 3 2", "w"), model("1 2, 3 4", "v")}}})) ==
-        "0 2, 0 4 #v (g)\n"
-        "rejected #w (g): zero-length segment\n");
+        "0 2, 0 4 | #v (g)\n"
+        "rejected:\n"
+        "#w (g): zero-length segment: 0 2, 0 2\n");
 }
 
 TEST_CASE("what the reader refused and replaced is carried over") {
@@ -281,8 +269,8 @@ TEST_CASE("a path that was cut short grows again from where it was") {
                               {"a", "", {StructId(2), StructId(3)}},
                               {longest, "", {StructId(3)}},
                               {"c", "", {model("0 0, 1 0")}}})) ==
-        "0 0, 1 0 (a/...)\n"
-        "0 0, 1 0 (a/c)\n");
+        "0 0, 1 0 | (a/...)\n"
+        "0 0, 1 0 | (a/c)\n");
 }
 
 TEST_CASE("structures that multiply beyond the limit are refused, up to it they are not") {

@@ -25,7 +25,7 @@ Rational Numbers::parse(std::string_view text) {
   } catch (const Error& error) {
     throw Unusable{error.message(), std::string(text.substr(0, 100))};
   }
-  throw Error(ErrorCode::Limit, "the long numbers of the document take more than 512 MiB", {},
+  throw Error(ErrorCode::Limit, "the long numbers of the document take more than 128 MiB", {},
               std::string(text));
 }
 

@@ -29,7 +29,7 @@ class Numbers {
 
  private:
   static constexpr std::size_t kPlainWords = 4;  ///< any decimal of up to 38 digits
-  static constexpr std::size_t kMaxLongWords = std::size_t{1} << 26U;  ///< 512 MiB
+  static constexpr std::size_t kMaxLongWords = std::size_t{1} << 24U;  ///< 128 MiB
   std::size_t long_words_ = 0;
 };
 

@@ -190,8 +190,10 @@ class SvgReader {
     const std::string_view label = attribute(element, "inkscape:label");
     Struct result;
     // Growing a body would copy its models: mpq_class has no noexcept move.
+    constexpr std::ptrdiff_t kOwnMaps = 2;
     const auto children = element.children();
-    result.body.reserve(static_cast<std::size_t>(std::distance(children.begin(), children.end())));
+    const auto items = std::distance(children.begin(), children.end()) + kOwnMaps;
+    result.body.reserve(static_cast<std::size_t>(items));
     result.name = label.empty() ? attribute(element, "id") : label;
     result.category = attribute(element, "inkscape:groupmode");
     return result;

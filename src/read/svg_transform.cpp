@@ -101,7 +101,7 @@ SvgTransform parse_transform(std::string_view text, Numbers& numbers) {
   bool comma = false;
   for (std::size_t count = 1; !scanner.at_end(); ++count) {
     const Function function = take_function(scanner, numbers);
-    transform.map = compose(transform.map, function.result.map);
+    transform.map = count == 1 ? function.result.map : compose(transform.map, function.result.map);
     if (count > kMaxFunctions || !is_small(transform.map)) {
       throw Unusable{"the product of the transform is too large", std::string(text)};
     }

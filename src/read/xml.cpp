@@ -56,8 +56,11 @@ void XmlDocument::check_top_level() const {
   if (!root()) fail("malformed XML: no element", 0);
   for (const auto& node : document_.children()) {
     if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata) {
-      fail("malformed XML: text outside the root element",
-           static_cast<std::size_t>(std::max(node.offset_debug(), 0L)), node.value());
+      const std::string_view text = node.value();
+      const std::size_t blanks = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+      const auto offset = static_cast<std::size_t>(std::max(node.offset_debug(), 0L));
+      fail("malformed XML: text outside the root element", offset + blanks,
+           std::string(text.substr(blanks)));
     }
     if (node.type() == pugi::node_element && node != root()) {
       throw Error(ErrorCode::BadInput, "malformed XML: second root element", place(node),

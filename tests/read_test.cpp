@@ -1,0 +1,124 @@
+#include "plumbline/read.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "plumbline/error.hpp"
+#include "support/listing.hpp"
+
+using plumbline::evaluate;
+using plumbline::read;
+using plumbline::read_lines;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder that is removed with all that is in it.
+class Scratch {
+ public:
+  Scratch() : folder_(fs::temp_directory_path() / ("plumbline-read-" + unique())) {
+    fs::create_directories(folder_);
+  }
+  ~Scratch() { fs::remove_all(folder_); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  fs::path file(const std::string& name, const std::string& content) const {
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+    return folder_ / name;
+  }
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  static std::string unique() { return std::to_string(Catch::rngSeed()) + "-" + name_of_process(); }
+  static std::string name_of_process() { return fs::read_symlink("/proc/self").string(); }
+
+  fs::path folder_;
+};
+
+plumbline::Error error_of(const fs::path& file) {
+  try {
+    read(file);
+  } catch (const plumbline::Error& error) {
+    return error;
+  }
+  throw std::logic_error("accepted: " + file.string());
+}
+
+}  // namespace
+
+TEST_CASE("rows of numbers are segments, whatever the line ends and blanks") {
+  CHECK(listing(read_lines("0,0,1,0.1\r\n\r\n  1e1 ,\t.5,-3 , 1/3  \n   \n5,5,6,6", "a.lines")) ==
+        "0 0, 1 0.1 | a.lines:1:1 row\n"
+        "10 0.5, -3 1/3 | a.lines:3:3 row\n"
+        "5 5, 6 6 | a.lines:5:1 row\n");
+  CHECK(listing(read_lines("\xEF\xBB\xBF"
+                           "1,2,3,4\n",
+                           "a.lines")) == "1 2, 3 4 | a.lines:1:1 row\n");
+  CHECK(listing(read_lines("", "a.lines")).empty());
+}
+
+TEST_CASE("a row that is not a segment is rejected with its line, the others are kept") {
+  CHECK(listing(read_lines("# walls\n1,2,3\n1,2,3,4\n1,2,3,4,5\n1,,3,4\n1,2,3,x\n1 2 3 4\n"
+                           "1,2,1.0,2\n\x01,\xff,\t0,0\n1,2,3,1e77777\n1,2,3,4,\n",
+                           "a.lines")) ==
+        "1 2, 3 4 | a.lines:3:1 row\n"
+        "rejected:\n"
+        "a.lines:1:1 row: not a number: # walls\n"
+        "a.lines:2:1 row: row of 3 values, not 4: 1,2,3\n"
+        "a.lines:4:1 row: row of 5 values, not 4: 1,2,3,4,5\n"
+        "a.lines:5:1 row: not a number: 1,,3,4\n"
+        "a.lines:6:1 row: not a number: 1,2,3,x\n"
+        "a.lines:7:1 row: not a number: 1 2 3 4\n"
+        "a.lines:9:1 row: not a number: ?,?, 0,0\n"
+        "a.lines:10:1 row: decimal exponent beyond 10000: 1,2,3,1e77777\n"
+        "a.lines:11:1 row: row of 5 values, not 4: 1,2,3,4,\n"
+        "a.lines:8:1 row: zero-length segment: 1 2, 1 2\n");
+}
+
+TEST_CASE("a file is read by its ending, in either case") {
+  const Scratch scratch;
+  CHECK(evaluate(read(scratch.file("a.SVG", "<svg><line x2='1'/></svg>"))).segments.size() == 1);
+  CHECK(evaluate(read(scratch.file("a.Lines", "0,0,1,1"))).segments.size() == 1);
+  const auto error = error_of(scratch.file("a.dwg", ""));
+  CHECK(error.code() == plumbline::ErrorCode::BadInput);
+  CHECK(error.message() == "unknown file name ending; known are .svg and .lines");
+  CHECK(error.offending_text() == ".dwg");
+}
+
+TEST_CASE("a file that can't be read is refused, saying why") {
+  const Scratch scratch;
+  const auto missing = error_of(scratch.folder() / "missing.svg");
+  CHECK(missing.code() == plumbline::ErrorCode::BadFile);
+  CHECK(missing.message() == "no such file");
+  CHECK(missing.place().file == (scratch.folder() / "missing.svg").string());
+  CHECK(error_of(scratch.folder()).message() == "is a directory");
+  CHECK(error_of("/dev/zero").message() == "is not a regular file");
+  const fs::path below_a_file = scratch.file("a.svg", "<svg/>") / "b.svg";
+  CHECK(error_of(below_a_file).code() == plumbline::ErrorCode::BadFile);
+}
+
+TEST_CASE("a file beyond the size limit is refused without being read") {
+  const Scratch scratch;
+  const fs::path sparse = scratch.file("sparse.svg", "");
+  fs::resize_file(sparse, plumbline::kMaxFileSize + 1);
+  CHECK(error_of(sparse).code() == plumbline::ErrorCode::Limit);
+}
+
+TEST_CASE("the example drawings are read whole") {
+  // Counts of the data's own index, made by another program (examples/data/README.md).
+  const auto [name, segments, rejected] = GENERATE(table<std::string, std::size_t, std::string>({
+      {"hospital-emergency.svg", 639, ""},
+      {"hospital-ward.svg", 760, ""},
+      {"dwelling.svg", 9, ""},
+      {"office-plan.svg", 177, "image: element image is not understood yet"},
+      {"building.svg", 652, ""},
+  }));
+  const auto set = evaluate(read(fs::path(PLUMBLINE_EXAMPLES) / name));
+  CHECK(set.segments.size() == segments);
+  CHECK(set.ledger.empty());
+  std::string refused;
+  for (const auto& item : set.rejected) refused += item.source.element + ": " + item.reason;
+  CHECK(refused == rejected);
+}
