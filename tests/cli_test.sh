@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# tests/cli_test.sh PLUMBLINE EXAMPLES: what the tool prints, returns and leaves behind, as a user sees it.
+# One line per case; fails if any case does.
+set -uo pipefail
+plumbline=$1
+examples=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 2
+failures=0
+
+# expect NAME EXIT-CODE PATTERN COMMAND...: the command's output (both streams) matches the pattern.
+expect() {
+  local name=$1 code=$2 pattern=$3 output status=0
+  shift 3
+  output=$("$@" 2>&1) || status=$?
+  if [[ $status == "$code" && $output =~ $pattern ]]; then
+    echo "ok: $name"
+  else
+    echo "FAILED: $name: exit $status, expected $code; output, expected /$pattern/:"
+    echo "$output" | head -20
+    failures=$((failures + 1))
+  fi
+}
+# leaves NAME FILE...: exactly these files are in the directory.
+leaves() {
+  local name=$1
+  shift
+  if [[ $(ls -A) == "$(printf '%s\n' "$@")" ]]; then
+    echo "ok: $name"
+  else
+    echo "FAILED: $name: found $(ls -A | tr '\n' ' ')"
+    failures=$((failures + 1))
+  fi
+  rm -rf ./*
+}
+svg() { printf '<svg xmlns="http://www.w3.org/2000/svg">\n%s\n</svg>\n' "$1"; }
+
+expect "help shows the commands and an example" 0 'arrange.*check.*info' "$plumbline" --help
+expect "each command's help has an example" 0 'plumbline check plan.svg --radius' "$plumbline" check --help
+expect "the version is told" 0 '^plumbline [0-9]+\.[0-9]+\.[0-9]+$' "$plumbline" --version
+expect "no command is a usage error" 2 'subcommand' "$plumbline"
+expect "an unknown command names the known ones" 2 'unknown command.*arrange, check, info.*"chek"' "$plumbline" chek x.svg
+expect "an unknown option is a usage error" 2 'radios' "$plumbline" check a.svg --radios 1
+expect "a missing file is said by name" 2 'none\.svg' "$plumbline" info none.svg
+expect "a directory is no drawing" 2 'plumbline: ' "$plumbline" info .
+echo text >a.txt
+expect "an unknown format names the known ones" 2 'svg.*lines' "$plumbline" info a.txt
+echo '<svg><line x1="1"</svg>' >bad.svg
+expect "malformed XML is told with file and line" 2 'bad\.svg:1' "$plumbline" check bad.svg -o out.json --picture out.svg
+leaves "an error leaves no output file" a.txt bad.svg
+
+svg '<line x2="1e99999999999"/><line x1="0" y1="0" x2="1" y2="1"/>' >a.svg
+expect "a monstrous number is rejected, the rest goes on" 0 '1 segments, 1 rejected' "$plumbline" arrange a.svg
+svg '<line x1="1" x2="1"/><circle r="3"/><line x2="4" y2="1"/>' >b.svg
+expect "what takes no part is listed with its line" 0 'circle.*line 2' "$plumbline" info b.svg
+svg '' >empty.svg
+expect "an empty drawing is a drawing" 0 '0 vertices, 0 edges.*1 faces' "$plumbline" arrange empty.svg -o empty.json
+expect "an empty drawing checks" 0 'agree' "$plumbline" check empty.svg --picture empty-check.svg
+leaves "the outputs are there, and nothing else" a.svg b.svg empty-check.svg empty.json empty.svg
+
+expect "an unknown output format is refused before the work" 2 'json.*svg.*out\.txt' "$plumbline" arrange "$examples/dwelling.svg" -o out.txt
+expect "an output that cannot be written is an error" 2 'none/out\.json' "$plumbline" arrange "$examples/dwelling.svg" -o none/out.json
+expect "a negative radius is refused" 2 'radius' "$plumbline" check "$examples/dwelling.svg" --radius -1
+expect "a radius that is no number is refused" 2 'radius' "$plumbline" check "$examples/dwelling.svg" --radius much
+expect "nan is no tolerance" 2 'tolerance' "$plumbline" check "$examples/dwelling.svg" --tolerance nan
+expect "agreement is exit code 0" 0 '^agree' "$plumbline" check "$examples/hospital-emergency.svg"
+expect "disagreement is exit code 1" 1 '^disagree' "$plumbline" check "$examples/office-plan.svg" -o a.json --picture a.svg
+expect "the drawing's exact counts are shown" 1 'vertices +370 .*edges +475 .*faces +108 ' "$plumbline" check "$examples/office-plan.svg"
+expect "info names overlaps and antennas" 0 '3 pairs of different segments.*100 antennas' "$plumbline" info "$examples/office-plan.svg"
+printf '0,0,4,0\n4,0,4,4\n4,4,0,0\n' >c.lines
+expect "lines files are drawings" 0 '3 vertices, 3 edges .0 antennas., 2 faces' "$plumbline" arrange c.lines
+if [[ -e /dev/full ]]; then
+  expect "a full disk is an error" 2 'standard output' bash -c "'$plumbline' info c.lines >/dev/full"
+fi
+"$plumbline" check "$examples/office-plan.svg" -o b.json --picture b.svg >/dev/null
+expect "the same input gives the same bytes" 0 '^$' bash -c 'cmp a.json b.json && cmp a.svg b.svg'
+leaves "nothing else was written" a.json a.svg b.json b.svg c.lines
+echo "$failures failed"
+exit $((failures > 0))
