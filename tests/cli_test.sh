@@ -29,7 +29,7 @@ leaves() {
   if [[ $(ls -A) == "$(printf '%s\n' "$@")" ]]; then
     echo "ok: $name"
   else
-    echo "FAILED: $name: found $(ls -A | tr '\n' ' ')"
+    echo "FAILED: $name: found:" ./*
     failures=$((failures + 1))
   fi
   rm -rf ./*
