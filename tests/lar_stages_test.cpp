@@ -1,0 +1,334 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <set>
+#include <sstream>
+
+#include "lar/stages.hpp"
+#include "support/segments.hpp"
+
+using namespace plumbline;
+using namespace plumbline::lar;
+
+namespace {
+
+Graph graph(const std::string& text) { return to_doubles(segments(text), {1e-3}).graph; }
+
+/// Splitting and simplification of drawings without near vertices.
+Graph split_graph(const std::string& text) {
+  const Graph drawn = graph(text);
+  const std::vector<Box> boxes = containment_boxes(drawn, 1e-6);
+  const Graph split = split_edges(drawn, cut_edges(drawn, boxes, box_buckets(boxes), 1e-6));
+  return simplify(split, prune_vertices(split.vertices, 1e-6));
+}
+
+std::string to_text(const Graph& g) {
+  std::ostringstream text;
+  for (std::size_t e = 0; e < g.edges.size(); ++e) {
+    const PointD& a = g.vertices[g.edges[e].tail];
+    const PointD& b = g.vertices[g.edges[e].head];
+    text << a.x << ' ' << a.y << ", " << b.x << ' ' << b.y << " of";
+    for (SegmentId s : g.edge_sources[e]) text << ' ' << std::size_t(s);
+    text << '\n';
+  }
+  return text.str();
+}
+
+std::string to_text(const std::vector<Cut>& cuts) {
+  std::ostringstream text;
+  for (const Cut& c : cuts) text << c.parameter << " at " << c.point.x << ' ' << c.point.y << "; ";
+  return text.str();
+}
+
+std::string meeting(const SegmentD& s, const SegmentD& t, double radius) {
+  const Meeting m = meet(s, t, radius);
+  return to_text(m.on_first) + "| " + to_text(m.on_second);
+}
+
+template <class T>
+std::string to_text(const Lists<T>& lists) {
+  std::string text;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    for (const T& item : lists[i]) text += std::to_string(std::size_t(item)) + ' ';
+    text += '\n';
+  }
+  return text;
+}
+
+std::vector<Box> random_boxes(std::size_t n, double side, std::mt19937& random) {
+  std::uniform_real_distribution<double> at(0, 1);
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = at(random), y = at(random);
+    boxes.push_back({x, y, x + side * at(random), y + side * at(random)});
+  }
+  return boxes;
+}
+
+/// Pairs of boxes that meet and share no bucket.
+std::size_t lost_pairs(const std::vector<Box>& boxes, const Lists<EdgeId>& buckets) {
+  std::set<std::pair<EdgeId, EdgeId>> together;
+  for (std::size_t b = 0; b < buckets.size(); ++b) {
+    for (EdgeId s : buckets[b]) {
+      for (EdgeId t : buckets[b]) together.insert({s, t});
+    }
+  }
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Box &s = boxes[i], &t = boxes[j];
+      const bool meet = s[0] <= t[2] && t[0] <= s[2] && s[1] <= t[3] && t[1] <= s[3];
+      lost += meet && !together.count({EdgeId(i), EdgeId(j)});
+    }
+  }
+  return lost;
+}
+
+/// The partition of the points by transitive nearness, from all pairs.
+std::vector<std::size_t> classes_by_brute_force(const std::vector<PointD>& points, double radius) {
+  std::vector<std::size_t> least(points.size());
+  std::iota(least.begin(), least.end(), std::size_t{0});
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t j = 0; j < points.size(); ++j) {
+        const double dx = points[i].x - points[j].x, dy = points[i].y - points[j].y;
+        if (dx * dx + dy * dy > radius * radius || least[j] <= least[i]) continue;
+        least[j] = least[i];
+        changed = true;
+      }
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("coordinates are rounded to nearest, segments distinct and from left to right") {
+  const Graph g = graph("1 0 0 1/3  0 1/3 1 0  2 0 2 1  0 1/3 1 0  + 5 5");
+  CHECK(to_text(g) == "0 0.333333, 1 0 of 0 1 3\n2 0, 2 1 of 2\n5 5, 5 5 of\n");
+  CHECK(g.vertices[0].y == 1.0 / 3.0);
+}
+
+TEST_CASE("containment boxes are grown by the margin on all sides") {
+  const std::vector<Box> boxes = containment_boxes(graph("0 4 2 1"), 0.5);
+  CHECK(boxes == std::vector<Box>{{-0.5, 0.5, 2.5, 4.5}});
+}
+
+TEST_CASE("boxes that meet share a bucket, whatever their sizes") {
+  std::mt19937 random(1);
+  for (const double side : {0.0, 0.01, 0.1, 1.0}) {
+    std::vector<Box> boxes = random_boxes(300, side, random);
+    boxes.push_back({0.5, 0, 0.5, 1});  // long ones, and a far one that draws the centroid away
+    boxes.push_back({0, 0.25, 1, 0.25});
+    boxes.push_back({1e9, 1e9, 1e9, 1e9});
+    CHECK(lost_pairs(boxes, box_buckets(boxes)) == 0);
+  }
+}
+
+TEST_CASE("buckets of small boxes are small, outliers or not") {
+  std::mt19937 random(2);
+  for (const double far : {1.0, 1e3, 1e9}) {
+    std::vector<Box> boxes = random_boxes(5000, 0.005, random);
+    for (int i = 0; i < 3; ++i) boxes.push_back({far, far, far, far});
+    const Lists<EdgeId> buckets = box_buckets(boxes);
+    std::size_t pairs = 0;
+    for (std::size_t b = 0; b < buckets.size(); ++b) pairs += buckets[b].size() * buckets[b].size();
+    CHECK(pairs < 50 * boxes.size());
+  }
+}
+
+TEST_CASE("equal boxes end in one bucket; fewer than two boxes make none") {
+  const std::vector<Box> equal(1000, Box{0, 0.7, 1, 0.7});
+  CHECK(box_buckets(equal).size() == 1);
+  CHECK(box_buckets(std::vector<Box>{}).size() == 0);
+  CHECK(box_buckets(std::vector<Box>{{0, 0, 1, 1}}).size() == 0);
+}
+
+TEST_CASE("long boxes are not repeated without bound") {
+  std::vector<Box> boxes;  // a grid of long walls, where every split repeats half of the members
+  for (int i = 0; i < 200; ++i) {
+    boxes.push_back({0, double(i), 200, double(i)});
+    boxes.push_back({double(i), 0, double(i), 200});
+  }
+  CHECK(box_buckets(boxes).flat().size() < 100 * boxes.size());
+}
+
+TEST_CASE("a proper crossing cuts both segments in one point") {
+  CHECK(meeting({{0, 0}, {4, 0}}, {{1, -1}, {1, 3}}, 1e-9) == "0.25 at 1 0; | 0.25 at 1 0; ");
+  CHECK(meeting({{0, 0}, {4, 0}}, {{1, 1}, {1, 3}}, 1e-9) == "| ");
+  CHECK(meeting({{0, 0}, {4, 4}}, {{1, 0}, {5, 4}}, 1e-9) == "| ");
+}
+
+TEST_CASE("an end within the radius of the other segment cuts it at that end") {
+  const SegmentD wall{{0, 0}, {7, 11}};
+  CHECK(meeting({{0, 0}, {0, 11}}, {{0, 1}, {7, 1}}, 1e-9) == "0.0909091 at 0 1; | ");
+  CHECK(meeting({{0, 0}, {4, 0}}, {{1, 0.1}, {1, 3}}, 0.11) == "0.25 at 1 0.1; | ");
+  CHECK(meeting({{0, 0}, {4, 0}}, {{1, 0.1}, {1, 3}}, 0.09) == "| ");
+  CHECK(meeting({{0, 0}, {4, 0}}, {{1, -0.1}, {1, 3}}, 0.11) == "0.25 at 1 -0.1; | ");
+  CHECK(meeting(wall, {{0, 0}, {1, 0}}, 1e-9) == "| ");  // ends that pruning merges
+  CHECK(meeting({{0, 0}, {4, 0}}, {{2, 0}, {2, 0}}, 1e-9) == "0.5 at 2 0; 0.5 at 2 0; | ");
+}
+
+TEST_CASE("collinear overlaps cut each other at their ends") {
+  CHECK(meeting({{0, 0}, {2, 0}}, {{1, 0}, {3, 0}}, 1e-9) == "0.5 at 1 0; | 0.5 at 2 0; ");
+  CHECK(meeting({{0, 0}, {4, 0}}, {{1, 0}, {3, 0}}, 1e-9) == "0.25 at 1 0; 0.75 at 3 0; | ");
+}
+
+TEST_CASE(
+    "the longest side of a small triangle is cut at the corner opposite, the others are not") {
+  const double height = 0.9;  // of a triangle with sides 1.1; the radius is 1
+  const double half = std::sqrt(1.1 * 1.1 - height * height);
+  const SegmentD base{{-half, 0}, {half, 0}};
+  CHECK(meeting(base, {{0, height}, {0, 9}}, 1) == "0.5 at 0 0.9; | ");
+  CHECK(meeting({{-half, 0}, {0, height}}, {{half, 0}, {9, 0}}, 1) == "| ");
+}
+
+TEST_CASE("pieces follow the parameter, and doubled pieces name both segments") {
+  CHECK(to_text(split_graph("0 0 3 0  1 0 2 0  2 -1 2 1")) ==
+        "0 0, 1 0 of 0\n1 0, 2 0 of 0 1\n2 -1, 2 0 of 2\n2 0, 2 1 of 2\n2 0, 3 0 of 0\n");
+}
+
+TEST_CASE("pruning is the transitive closure of nearness, crowded or not") {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> at(0, 1);
+  for (const double radius : {0.001, 0.01, 0.03, 0.05, 0.2, 3.0}) {
+    std::vector<PointD> points;
+    for (int i = 0; i < 600; ++i) points.push_back({at(random), at(random) * (i % 2 ? 1 : 0.02)});
+    std::sort(points.begin(), points.end());
+    const Pruning pruning = prune_vertices(points, radius);
+    const std::vector<std::size_t> expected = classes_by_brute_force(points, radius);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      wrong += pruning.vertex_map[i] != pruning.vertex_map[expected[i]];
+    }
+    CHECK(wrong == 0);
+    CHECK(pruning.vertices.size() ==
+          std::set<std::size_t>(expected.begin(), expected.end()).size());
+    CHECK(std::is_sorted(pruning.vertices.begin(), pruning.vertices.end()));
+  }
+}
+
+TEST_CASE("a cluster becomes its centroid, and keeps what its members have in common") {
+  const std::vector<PointD> points{{0.1, 0.7}, {0.2, 0.7}, {0.3, 0.7}, {9, 9}};
+  const Pruning pruning = prune_vertices(points, 0.11);
+  REQUIRE(pruning.vertices.size() == 2);
+  CHECK(pruning.vertices[0].x == Approx(0.2));
+  CHECK(pruning.vertices[0].y == 0.7);
+  CHECK(to_text(pruning.clusters) == "0 1 2 \n");
+  CHECK(prune_vertices(std::vector<PointD>{}, 1).vertices.empty());
+}
+
+TEST_CASE("simplification drops zero edges and unused vertices and keeps isolated points") {
+  const Graph g = graph("0 0 0.001 0  5 0 5 1  5.001 0 5.001 1  + 9 9");
+  const Pruning pruning = prune_vertices(g.vertices, 0.01);
+  CHECK(to_text(simplify(g, pruning)) == "5.0005 0, 5.0005 1 of 1 2\n9 9, 9 9 of\n");
+}
+
+TEST_CASE("blocks share cut vertices, and bridges are edges in no cycle") {
+  const Biconnected blocks = biconnected_components(
+      split_graph("0 0 1 1  1 1 1 -1  1 -1 0 0  0 0 -1 1  -1 1 -1 -1  -1 -1 0 0  1 1 3 3  + 8 8"));
+  CHECK(to_text(blocks.components).size() == std::string("0 1 2 \n3 4 5 \n").size());
+  CHECK(blocks.components.size() == 2);
+  CHECK(blocks.bridges.size() == 1);
+}
+
+TEST_CASE("edges around a vertex are in counter-clockwise order from slope -pi") {
+  const Graph g = split_graph("0 0 1 0  0 0 1 1  0 0 0 1  0 0 -1 0  0 0 -1 -1  0 0 0 -1");
+  const Lists<HalfedgeId> order = edge_slope_ordering(g);
+  const auto center = std::find(g.vertices.begin(), g.vertices.end(), PointD{0, 0});
+  std::string text;
+  for (HalfedgeId h : order[static_cast<std::size_t>(center - g.vertices.begin())]) {
+    const Edge& e = g.edges[edge_of(h)];
+    const PointD& p = g.vertices[is_reversed(h) ? e.tail : e.head];
+    text += std::to_string(int(p.x)) + ',' + std::to_string(int(p.y)) + ' ';
+  }
+  CHECK(text == "-1,-1 0,-1 1,0 1,1 0,1 -1,0 ");
+}
+
+TEST_CASE("the face walk uses each halfedge once and has the areas of the drawing") {
+  const Graph g = split_graph("0 0 4 0  4 0 4 4  4 4 0 4  0 4 0 0  0 1 4 1  1 1 1 9");
+  const Lists<HalfedgeId> order = edge_slope_ordering(g);
+  const Lists<HalfedgeId> cycles = face_cycles(g, order);
+  std::set<HalfedgeId> used(cycles.flat().begin(), cycles.flat().end());
+  CHECK(used.size() == 2 * g.edges.size());
+  CHECK(cycles.flat().size() == used.size());
+  std::vector<double> areas = cycle_areas(g, cycles);
+  const std::vector<Exterior> exteriors = exterior_cycles(g, order, cycles);
+  REQUIRE(exteriors.size() == 1);
+  CHECK(areas[exteriors[0].cycle] == -16);
+  std::sort(areas.begin(), areas.end());
+  CHECK(areas == std::vector<double>{-16, 3, 4, 9});
+}
+
+TEST_CASE("each component has one exterior cycle, trees too") {
+  const Graph g = split_graph("0 0 1 0  1 0 2 1  1 0 2 -1  5 0 6 0  6 0 5 1  5 1 5 0");
+  const Lists<HalfedgeId> order = edge_slope_ordering(g);
+  const Lists<HalfedgeId> cycles = face_cycles(g, order);
+  CHECK(cycles.size() == 3);
+  CHECK(exterior_cycles(g, order, cycles).size() == 2);
+}
+
+TEST_CASE(
+    "P1: a point is in the diamond |x| + |y| = 2 by that formula, on its corners' levels too") {
+  const std::vector<PointD> diamond{{2, 0}, {0, 2}, {-2, 0}, {0, -2}};
+  std::vector<PointD> points;
+  for (int i = -5; i <= 5; ++i) {
+    for (int j = -5; j <= 5; ++j) points.push_back({i / 2.0, j / 2.0});
+  }
+  const std::vector<Position> found = classify_points(diamond, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double norm = std::abs(points[i].x) + std::abs(points[i].y);
+    INFO(points[i].x << ' ' << points[i].y);
+    CHECK(found[i] == (norm < 2 ? Position::In : norm > 2 ? Position::Out : Position::On));
+  }
+}
+
+TEST_CASE("P2: edges that end on the half-line count by the side that they come from") {
+  // A comb whose teeth end, pass and run along the height of the query.
+  const std::vector<PointD> comb{{0, -2}, {9, -2}, {9, 0}, {8, 0}, {8, 2}, {7, 2},  {7, 0}, {6, 0},
+                                 {6, -1}, {5, -1}, {5, 0}, {4, 2}, {3, 0}, {2, -1}, {1, 0}, {0, 0}};
+  const auto at = [&](double x, double y) { return classify_points(comb, {{{x, y}}})[0]; };
+  CHECK(at(0.5, 0) == Position::On);
+  CHECK(at(2, 0) == Position::Out);
+  CHECK(at(4, 0) == Position::In);
+  CHECK(at(5.5, 0) == Position::Out);
+  CHECK(at(6.5, 0) == Position::On);
+  CHECK(at(7.5, 0) == Position::In);
+  CHECK(at(8.5, 0) == Position::On);
+  CHECK(at(-1, 0) == Position::Out);
+  CHECK(at(-1, -2) == Position::Out);
+  CHECK(at(0.5, -1) == Position::In);
+}
+
+TEST_CASE("an edge that a polygon runs along twice does not change the inside") {
+  const std::vector<PointD> spiked{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {4, 2}, {4, 4}, {0, 4}};
+  CHECK(classify_points(spiked, {{{1, 2}}})[0] == Position::In);
+  CHECK(classify_points(spiked, {{{3, 1}}})[0] == Position::In);
+  CHECK(classify_points(spiked, {{{3, 2}}})[0] == Position::On);
+  CHECK(classify_points(spiked, {{{5, 2}}})[0] == Position::Out);
+}
+
+TEST_CASE("the innermost cycle is the smallest of those around a vertex") {
+  const Graph g = split_graph(rectangle(0, 0, 9, 9) + rectangle(1, 1, 8, 8) +
+                              rectangle(2, 2, 4, 4) + rectangle(5, 5, 6, 6) + "+ 3 3 + 7 7 + 20 5");
+  const Lists<HalfedgeId> order = edge_slope_ordering(g);
+  const Lists<HalfedgeId> cycles = face_cycles(g, order);
+  const std::vector<double> areas = cycle_areas(g, cycles);
+  std::vector<CycleId> outer;
+  for (std::size_t c = 0; c < areas.size(); ++c) {
+    if (areas[c] > 0) outer.push_back(CycleId(c));
+  }
+  std::vector<VertexId> points;
+  for (const PointD& p : {PointD{3, 3}, {7, 7}, {20, 5}, {5, 5}, {0, 0}}) {
+    points.push_back(
+        VertexId(std::lower_bound(g.vertices.begin(), g.vertices.end(), p) - g.vertices.begin()));
+  }
+  std::vector<double> found;
+  for (CycleId c : innermost_cycles(g, cycles, areas, outer, points)) {
+    found.push_back(c.valid() ? areas[c] : 0);
+  }
+  CHECK(found == std::vector<double>{4, 49, 0, 49, 0});
+}
