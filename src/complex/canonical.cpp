@@ -89,17 +89,19 @@ std::vector<HalfedgeId> reorder_edges(Incidences& c, const Renumbering<VertexId>
 
 /// Renumbers cycles; each starts at its least halfedge. Returns the map of cycles.
 std::vector<CycleId> reorder_cycles(Incidences& c, const std::vector<HalfedgeId>& halfedges) {
-  std::vector<std::vector<HalfedgeId>> cycles(c.cycles.size());
-  for (std::size_t i = 0; i < cycles.size(); ++i) {
-    for (const HalfedgeId h : c.cycles[i]) cycles[i].push_back(halfedges[h]);
-    std::rotate(cycles[i].begin(), std::min_element(cycles[i].begin(), cycles[i].end()),
-                cycles[i].end());
+  Lists<HalfedgeId> cycles;
+  std::vector<HalfedgeId> cycle;
+  for (std::size_t i = 0; i < c.cycles.size(); ++i) {
+    cycle.clear();
+    for (const HalfedgeId h : c.cycles[i]) cycle.push_back(halfedges[h]);
+    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+    cycles.push_back(cycle);
   }
-  const auto order = sorted_by<CycleId>(
-      cycles.size(), [&](CycleId i, CycleId j) { return cycles[i] < cycles[j]; });
-  Lists<HalfedgeId> reordered;
-  for (const CycleId old : order.old_of_new) reordered.push_back(cycles[old]);
-  c.cycles = std::move(reordered);
+  const auto order = sorted_by<CycleId>(cycles.size(), [&](CycleId i, CycleId j) {
+    return std::ranges::lexicographical_compare(cycles[i], cycles[j]);
+  });
+  c.cycles = Lists<HalfedgeId>();
+  for (const CycleId old : order.old_of_new) c.cycles.push_back(cycles[old]);
   return order.new_of_old;
 }
 
@@ -133,11 +135,25 @@ void reorder_faces(Incidences& c, const std::vector<CycleId>& cycles,
   c.face_isolated_vertices = std::move(isolated);
 }
 
+const PointD& rounded(const PointD& p) { return p; }
+PointD rounded(const Point& p) { return nearest(p); }
+
+/// Order by (x, y). Rounding is monotone, so only what rounds to equal doubles is compared exactly.
+template <class P>
+Renumbering<VertexId> sorted_vertices(const std::vector<P>& points) {
+  std::vector<PointD> approx;
+  approx.reserve(points.size());
+  for (const P& p : points) approx.push_back(rounded(p));
+  return sorted_by<VertexId>(points.size(), [&](VertexId v, VertexId w) {
+    if (approx[v].x != approx[w].x) return approx[v].x < approx[w].x;
+    return points[v] < points[w];
+  });
+}
+
 template <class P>
 CellComplex<P> in_canonical_order(CellComplex<P> c) {
   ensure_indices(c, c.vertices.size());
-  const auto vertices = sorted_by<VertexId>(
-      c.vertices.size(), [&](VertexId v, VertexId w) { return c.vertices[v] < c.vertices[w]; });
+  const auto vertices = sorted_vertices(c.vertices);
   std::vector<P> points;
   points.reserve(c.vertices.size());
   for (const VertexId old : vertices.old_of_new) points.push_back(std::move(c.vertices[old]));
