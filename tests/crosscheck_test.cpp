@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <random>
 
 #include "crosscheck/locate_faces.hpp"
 #include "plumbline/arrange.hpp"
@@ -231,6 +232,76 @@ TEST_CASE("a hole that two holes became is merged") {
   const std::string pillars = rectangle(2, 2, 4, 4) + rectangle(5, 5, 6, 6);
   CHECK(findings(kRoom + pillars, kRoom + pillars + "4 4 5 5", 0.1) ==
         "edge extra float 7\nhole merged exact 2 4 float 2\n");
+}
+
+TEST_CASE("a closed gap makes a face, and the merged vertices are named as its cause") {
+  const std::string open = "0 0 4 0  4 0 4 4  4 4 0 4  0 4 0 0.01";
+  const Crosscheck result = crosscheck(drawn(open), nearest(drawn(rectangle(0, 0, 4, 4))), 0.1);
+  CHECK(findings(result) == "vertex merged exact 0 1 float 0\nface extra float 1\n");
+  CHECK(result.findings[1].message ==
+        "a float face has no exact counterpart; its place is in the unbounded exact face, because "
+        "of finding 1");
+}
+
+TEST_CASE("a drawing and a part of it agree just if their complexes are equal") {
+  std::mt19937 random(1);
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  int agreements = 0;
+  constexpr int kRounds = 300;
+  for (int round = 0; round < kRounds; ++round) {
+    std::string all, part;
+    for (int i = 1 + below(9); i > 0; --i) {
+      const int x = below(6), y = below(6), right = x + 1 + below(4), top = y + 1 + below(4);
+      const std::string item = below(2) == 0
+                                   ? rectangle(x, y, right, top)
+                                   : std::to_string(x) + ' ' + std::to_string(top) + ' ' +
+                                         std::to_string(right) + ' ' + std::to_string(y) + ' ';
+      all += item;
+      if (below(8) != 0) part += item;
+    }
+    INFO(all << "| " << part);
+    const ExactComplex whole = drawn(all), other = drawn(part);
+    const bool are_equal = signature(whole) == signature(other);
+    agreements += are_equal;
+    // Grid points and their crossings are further apart than this.
+    CHECK(crosscheck(whole, nearest(other), 1e-6).agree() == are_equal);
+  }
+  CHECK(agreements > kRounds / 10);
+  CHECK(agreements < kRounds * 9 / 10);
+}
+
+TEST_CASE("whatever is done to a float complex, the cross-check ends with findings") {
+  std::mt19937 random(2);
+  const auto below = [&](std::size_t n) { return random() % n; };
+  const ExactComplex plan =
+      drawn(kRoom + rectangle(2, 2, 5, 5) + rectangle(3, 3, 4, 4) + "5 5 9 9  0 7 2 8  + 8 1");
+  for (int round = 0; round < 300; ++round) {
+    FloatComplex broken = nearest(plan);
+    switch (round % 5) {
+      case 0:  // a vertex on another one
+        broken.vertices[below(plan.vertices.size())] = {0, 0};
+        break;
+      case 1:  // an edge between other vertices
+        broken.edges[below(plan.edge_count())].head = VertexId(below(plan.vertices.size()));
+        break;
+      case 2:  // a cycle with a gap
+        broken.cycles = Lists<HalfedgeId>();
+        for (std::size_t c = 0; c < plan.cycles.size(); ++c)
+          broken.cycles.push_back(plan.cycles[c].subspan(plan.cycles[c].size() > 1 ? below(2) : 0));
+        break;
+      case 3:  // two faces with each other's outer boundary
+        std::swap(broken.face_outer[1 + below(plan.face_count() - 1)],
+                  broken.face_outer[1 + below(plan.face_count() - 1)]);
+        break;
+      default:  // no hole at all
+        broken.face_holes = Lists<CycleId>();
+        for (std::size_t f = 0; f < plan.face_count(); ++f)
+          broken.face_holes.push_back(std::vector<CycleId>());
+    }
+    broken = canonical(broken);
+    INFO("round " << round);
+    CHECK(crosscheck(plan, broken, 1e-6).agree() == (broken == nearest(plan)));
+  }
 }
 
 TEST_CASE("a tolerance that is negative or not finite is bad input") {
