@@ -16,7 +16,8 @@ inline constexpr double kDefaultRelativeRadius = 0.001;
 /// Least radius in units of the drawing's largest coordinate: 128 roundings. Below it, two floats
 /// that stand for the same point could stay apart.
 inline constexpr double kLeastRelativeRadius = 0x1p-46;
-/// Most rounds of splitting and merging. Drawings need two or three.
+/// Most rounds of splitting and merging. 21,000 runs on small random drawings, many with features
+/// below the radius, needed nine at most; real ones need two.
 inline constexpr std::size_t kMaxRounds = 30;
 
 struct Options {
@@ -61,7 +62,8 @@ struct Round {
   Pruning pruning;
   Graph simplified;  ///< after pruning, without zero and double edges
 
-  /// Nothing was cut or merged: no edges cross, no vertex is near another or near an edge.
+  /// Nothing was cut or merged: no edges cross, no vertex is within the radius of another, or
+  /// within 0.86 radii of an edge that it does not bound.
   bool idle() const { return cuts.flat().empty() && pruning.clusters.size() == 0; }
 };
 
