@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "plumbline/error.hpp"
 #include "support/affine_image.hpp"
 #include "support/segments.hpp"
 
@@ -148,6 +149,24 @@ TEST_CASE("the axis-parallel room that doubles miss: a wall on a 7 by 11 room") 
 TEST_CASE("isolated points belong to the face around them; on an edge they split it") {
   CHECK(arranged(rectangle(0, 0, 4, 4) + "+ 1 1  + 9 9") == "V 6 E 4 F 2 C 3 isolated 2");
   CHECK(arranged("0 0 4 4  + 1 1  + 0 0") == "V 3 E 2 F 1 C 1 antennas 2");
+}
+
+TEST_CASE("coordinates up to the limit, and however small, are arranged; beyond, rejected") {
+  // A square with a diagonal between the middles of two sides.
+  const char* scale = GENERATE("e98", "e-98", "e-400", "e-9000");
+  std::string text;
+  for (const char* c : {"0 0 8 0", "8 0 8 8", "8 8 0 8", "0 8 0 0", "4 0 0 4"}) {
+    std::istringstream words(c);
+    for (std::string word; words >> word;) text += word + scale + ' ';
+  }
+  CHECK(arranged(text) == "V 6 E 7 F 3 C 1");
+  const SegmentSet beyond = segments("0 0 1e100 0  0 0 1 1");
+  CHECK(beyond.segments.size() == 1);
+  REQUIRE(beyond.rejected.size() == 1);
+  CHECK(beyond.rejected[0].reason == "a coordinate is beyond 8.7e99");
+  SegmentSet unchecked;
+  unchecked.segments.push_back({{0, 0}, {parse_decimal("1e100"), 0}});
+  CHECK_THROWS_AS(arrange(unchecked), Error);
 }
 
 TEST_CASE(

@@ -5,13 +5,14 @@
 namespace plumbline {
 
 /// The arrangement of the segments and isolated points: the subdivision of the plane that they
-/// induce, in canonical order, each edge with all segments that cover it. **Exact**. Degenerate:
-/// collinear overlaps, duplicates, many segments through one point, touching ends are all resolved;
-/// empty input gives the unbounded face alone. Order: canonical; does not depend on the order or
-/// direction of the segments (SegmentIds in `edge_sources` aside). Cost: O((n + K) log n) exact
-/// operations for K crossings. Engine: CGAL::Arrangement_2 over the exact-constructions kernel
-/// (Wein, Berberich, Fogel, Halperin, Hemmer, Salzman, Zukerman: CGAL manual, 2D Arrangements),
-/// aggregated insertion.
+/// induce, in canonical order, each edge with all segments that cover it. **Exact**.
+/// Degenerate: collinear overlaps, duplicates, many segments through one point, touching ends are
+/// all resolved; empty input gives the unbounded face alone.
+/// Order: canonical; does not depend on the order or direction of the segments (SegmentIds in
+/// `edge_sources` aside). Cost: O((n + K) log n) exact operations for K crossings.
+/// Throws: Error Limit for a coordinate beyond kMaxCoordinateBits (`SegmentSet::add` refuses it).
+/// Engine: CGAL::Arrangement_2 over the exact-constructions kernel (Wein, Berberich, Fogel,
+/// Halperin, Hemmer, Salzman, Zukerman: CGAL manual, 2D Arrangements), aggregated insertion.
 ExactComplex arrange(const SegmentSet& input);
 
 }  // namespace plumbline

@@ -17,6 +17,7 @@ using Traits =
     CGAL::Arr_consolidated_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>, SegmentId>;
 using Arrangement = CGAL::Arrangement_2<Traits>;
 
+/// Throws: Error Limit for a coordinate beyond kMaxCoordinateBits.
 Kernel::Point_2 to_cgal(const Point& p);
 Kernel::Segment_2 to_cgal(const Segment& s);
 Point from_cgal(const Kernel::Point_2& p);

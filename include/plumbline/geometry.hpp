@@ -109,6 +109,12 @@ struct Replacement {
   friend bool operator==(const Replacement&, const Replacement&) = default;
 };
 
+/// Coordinates of a SegmentSet have absolute values below 2^332, about 8.7e99: so that products of
+/// three of them stay within doubles, which CGAL's interval arithmetic needs (it answers wrongly or
+/// crashes where intervals overflow).
+inline constexpr int kMaxCoordinateBits = 332;
+bool is_within_limit(const Point& p);
+
 /// Exact segments (and isolated points), each with its source; what was refused; and the exactness
 /// ledger, empty when every coordinate is exactly what the file says.
 class SegmentSet {
@@ -125,11 +131,12 @@ class SegmentSet {
   /// Adds a file name, returns its index.
   std::uint32_t add_file(std::string name);
   SourceId add_source(Source source);
-  /// Adds a segment; a zero-length one goes to `rejected` instead.
+  /// Adds a segment; one without length or beyond the limit goes to `rejected` instead.
   void add(Segment segment, SourceId source);
   /// Adds the segment with these double coordinates, taken as the dyadic rationals that they are; a
-  /// non-finite or zero-length one goes to `rejected` instead.
+  /// one that is not finite goes to `rejected` as well.
   void add(PointD a, PointD b, SourceId source);
+  /// Adds an isolated point; one beyond the limit goes to `rejected` instead.
   void add(Point point, SourceId source);
 };
 

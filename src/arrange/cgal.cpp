@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "arrange/cgal_engine.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline {
 
@@ -86,7 +87,13 @@ class Conversion {
 
 }  // namespace
 
-Kernel::Point_2 to_cgal(const Point& p) { return {Kernel::FT(p.x), Kernel::FT(p.y)}; }
+Kernel::Point_2 to_cgal(const Point& p) {
+  if (!is_within_limit(p)) {
+    throw Error(ErrorCode::Limit, "a coordinate is beyond what CGAL's intervals hold", {},
+                to_text(p));
+  }
+  return {Kernel::FT(p.x), Kernel::FT(p.y)};
+}
 
 Kernel::Segment_2 to_cgal(const Segment& s) { return {to_cgal(s.a), to_cgal(s.b)}; }
 

@@ -1,15 +1,23 @@
 #include <cmath>
 #include <utility>
 
+#include "error/shown_text.hpp"
 #include "geometry/rejected.hpp"
 #include "plumbline/geometry.hpp"
 
 namespace plumbline {
 namespace {
 
-constexpr std::size_t kShownText = 60;
+/// Whether |c| < 2^kMaxCoordinateBits; sizes in bits decide all but borderline cases.
+bool is_within_limit(const Rational& c) {
+  const auto bits = [](mpz_srcptr z) { return static_cast<long>(mpz_sizeinbase(z, 2)); };
+  const long exponent = bits(c.get_num_mpz_t()) - bits(c.get_den_mpz_t());
+  if (exponent < kMaxCoordinateBits) return true;
+  static const Rational limit(mpz_class(1) << kMaxCoordinateBits);
+  return exponent == kMaxCoordinateBits && abs(c) < limit;
+}
 
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+constexpr const char* kBeyondLimit = "a coordinate is beyond 8.7e99";
 
 bool is_finite(const PointD& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
@@ -18,17 +26,10 @@ std::string to_text(const PointD& p) { return shortest_text(p.x) + " " + shortes
 }  // namespace
 
 Rejected make_rejected(Source source, std::string reason, std::string text) {
-  if (text.size() > kShownText) {
-    std::size_t end = kShownText - 3;
-    while (end > 0 && continues_character(text[end])) --end;
-    text.resize(end);
-    text += "...";
-  }
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
-  return {std::move(source), std::move(reason), std::move(text)};
+  return {std::move(source), std::move(reason), shown_text(std::move(text))};
 }
+
+bool is_within_limit(const Point& p) { return is_within_limit(p.x) && is_within_limit(p.y); }
 
 std::uint32_t SegmentSet::add_file(std::string name) {
   files.push_back(std::move(name));
@@ -46,6 +47,11 @@ void SegmentSet::add(Segment segment, SourceId source) {
         make_rejected(sources.at(source), "zero-length segment", plumbline::to_text(segment)));
     return;
   }
+  if (!is_within_limit(segment.a) || !is_within_limit(segment.b)) {
+    rejected.push_back(
+        make_rejected(sources.at(source), kBeyondLimit, plumbline::to_text(segment)));
+    return;
+  }
   segments.push_back(std::move(segment));
   segment_source.push_back(source);
 }
@@ -60,6 +66,10 @@ void SegmentSet::add(PointD a, PointD b, SourceId source) {
 }
 
 void SegmentSet::add(Point point, SourceId source) {
+  if (!is_within_limit(point)) {
+    rejected.push_back(make_rejected(sources.at(source), kBeyondLimit, plumbline::to_text(point)));
+    return;
+  }
   points.push_back(std::move(point));
   point_source.push_back(source);
 }
