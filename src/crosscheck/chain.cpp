@@ -18,16 +18,17 @@ class Search {
     visited_.insert(start);
     open(start);
     std::vector<HalfedgeId> walk;
-    while (!stack_.empty()) {
+    for (std::size_t dead_ends = 0; !stack_.empty() && dead_ends <= kMaxDeadEnds;) {
       const Step step = stack_.back();
       stack_.pop_back();
       walk.resize(step.depth);
       walk.push_back(step.halfedge);
       const VertexId v = sides_[side_].target(step.halfedge);
       if (v == goal_) return walk;
-      if (!visited_.insert(v).second) continue;
       depth_ = walk.size();
-      open(v);
+      const std::size_t open_before = stack_.size();
+      if (visited_.insert(v).second) open(v);
+      if (stack_.size() == open_before) ++dead_ends;
     }
     return {};
   }

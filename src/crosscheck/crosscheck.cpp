@@ -42,8 +42,8 @@ Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& flo
   append(faces.findings);
   append(matching::nesting(sides, vertices, edges, cycles, faces));
 
-  result.matched_vertices = matched(vertices.match[matching::kExact]);
-  result.matched_edges = matched(edges.match[matching::kExact]);
+  result.matched_vertices = matched(vertices.match[matching::Exact]);
+  result.matched_edges = matched(edges.match[matching::Exact]);
   result.matched_faces = faces.same;
   result.largest_displacement = vertices.largest_displacement;
   return result;

@@ -24,18 +24,18 @@ std::size_t position(const std::vector<std::size_t>& sorted, std::size_t value) 
 std::vector<Group> connected_groups(
     const Both<std::vector<std::size_t>>& cells,
     const std::vector<std::pair<std::size_t, std::size_t>>& relation) {
-  const std::size_t exact_count = cells[kExact].size();
-  std::vector<std::size_t> parent(exact_count + cells[kFloat].size());
+  const std::size_t exact_count = cells[Exact].size();
+  std::vector<std::size_t> parent(exact_count + cells[Float].size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   for (const auto& [exact_cell, float_cell] : relation) {
-    const std::size_t a = root(parent, position(cells[kExact], exact_cell));
-    const std::size_t b = root(parent, exact_count + position(cells[kFloat], float_cell));
+    const std::size_t a = root(parent, position(cells[Exact], exact_cell));
+    const std::size_t b = root(parent, exact_count + position(cells[Float], float_cell));
     parent[std::max(a, b)] = std::min(a, b);  // a root is the least of its group
   }
   std::map<std::size_t, Group> by_root;
   for (const Side side : kBothSides)
     for (std::size_t i = 0; i < cells[side].size(); ++i) {
-      const std::size_t node = side == kExact ? i : exact_count + i;
+      const std::size_t node = side == Exact ? i : exact_count + i;
       by_root[root(parent, node)][side].push_back(cells[side][i]);
     }
   std::vector<Group> groups;

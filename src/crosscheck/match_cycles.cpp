@@ -53,10 +53,10 @@ CycleMatch match_cycles(const Sides& sides, const EdgeMatch& edges) {
         result.same[side][c] = candidate;
     }
   }
-  for (std::size_t c = 0; c < sides[kExact].cycles.size(); ++c) {
-    const auto cycle = sides[kExact].cycles[c];
-    const auto is_matched = [&](HalfedgeId h) { return edges.match[kExact][edge_of(h)].valid(); };
-    result.is_one_to_one.push_back(result.same[kExact][c].valid() &&
+  for (std::size_t c = 0; c < sides[Exact].cycles.size(); ++c) {
+    const auto cycle = sides[Exact].cycles[c];
+    const auto is_matched = [&](HalfedgeId h) { return edges.match[Exact][edge_of(h)].valid(); };
+    result.is_one_to_one.push_back(result.same[Exact][c].valid() &&
                                    std::all_of(cycle.begin(), cycle.end(), is_matched));
   }
   return result;

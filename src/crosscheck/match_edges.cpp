@@ -32,9 +32,9 @@ class EdgeMatcher {
   }
 
   EdgeMatch run() {
-    match_by_ends(kExact, vertices_.match);
-    match_by_ends(kExact, vertices_.image);
-    match_by_ends(kFloat, vertices_.image);
+    match_by_ends(Exact, vertices_.match);
+    match_by_ends(Exact, vertices_.image);
+    match_by_ends(Float, vertices_.image);
     for (const Side side : kBothSides) {
       report_collapsed(side);
       report_parallel(side);
@@ -146,7 +146,7 @@ void EdgeMatcher::report_collapsed(Side side) {
                             counted(edges.size(), fmt::format("one {} edge", name(side)),
                                     fmt::format("{} edges", name(side))),
                             rough(length(longest)),
-                            side == kExact ? "collapsed into" : "grew out of", name(other(side))));
+                            side == Exact ? "collapsed into" : "grew out of", name(other(side))));
     f.where = sides_.point(other(side), v);
     f.distance = length(longest);
     f.segments = joined(std::move(f.segments), segments_at(sides_, other(side), std::array{v}));
@@ -168,7 +168,7 @@ void EdgeMatcher::report_parallel(Side side) {
     if (const EdgeId match = result_.match[other(side)][f]; match.valid())
       edges.insert(edges.begin(), match);
     const std::string message =
-        side == kExact
+        side == Exact
             ? fmt::format("{} exact edges became one float edge", edges.size())
             : fmt::format("one exact edge became {} float edges side by side", edges.size());
     add(finding(side, joining(side), edges, {f}, message));
@@ -213,7 +213,7 @@ void EdgeMatcher::report_chains(Side side, const std::vector<bool>& is_usable,
         edges_are_matched
             ? fmt::format("one {} edge runs along {} {} edges that correspond to others",
                           name(side), there.size(), name(other(side)))
-        : side == kExact
+        : side == Exact
             ? fmt::format("one exact edge became a chain of {} float edges", there.size())
             : fmt::format("a chain of {} exact edges became one float edge", there.size());
     const Side joined_side = edges_are_matched ? side : other(side);
@@ -233,8 +233,8 @@ std::string EdgeMatcher::why_lacking(Side side, EdgeId e) const {
 }
 
 void EdgeMatcher::report_lacking(Side side) {
-  const char* message = side == kExact ? "an exact edge is missing from the float result"
-                                       : "a float edge has no exact counterpart";
+  const char* message = side == Exact ? "an exact edge is missing from the float result"
+                                      : "a float edge has no exact counterpart";
   for (std::size_t i = 0; i < sides_[side].edge_count(); ++i)
     if (const EdgeId e(i); !is_accounted(side, e))
       add(finding(side, lacking(side), {e}, {}, message + why_lacking(side, e)));

@@ -15,7 +15,7 @@ using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// A cell of the side and one of the other side, the exact one first.
 std::pair<std::size_t, std::size_t> pair_of(Side side, std::size_t here, std::size_t there) {
-  return side == kExact ? std::pair(here, there) : std::pair(there, here);
+  return side == Exact ? std::pair(here, there) : std::pair(there, here);
 }
 
 class FaceMatcher {
@@ -80,9 +80,9 @@ void FaceMatcher::join(const Group& group) {
   for (const Side side : kBothSides)
     for (const std::size_t f : group[side]) result_.group[side][f] = group_count_;
   ++group_count_;
-  if (group[kExact].size() != 1 || group[kFloat].size() != 1) return;
-  result_.match[kExact][group[kExact][0]] = FaceId(group[kFloat][0]);
-  result_.match[kFloat][group[kFloat][0]] = FaceId(group[kExact][0]);
+  if (group[Exact].size() != 1 || group[Float].size() != 1) return;
+  result_.match[Exact][group[Exact][0]] = FaceId(group[Float][0]);
+  result_.match[Float][group[Float][0]] = FaceId(group[Exact][0]);
 }
 
 std::vector<std::size_t> FaceMatcher::open_faces(Side side) const {
@@ -110,8 +110,8 @@ Pairs FaceMatcher::boundary_claims() const {
 
 void FaceMatcher::match_same_boundaries() {
   for (const auto& [f, g] : boundary_claims()) {
-    if (!cycles_.is_one_to_one[sides_[kExact].face_outer[f]]) continue;
-    if (result_.group[kExact][f] != kNoGroup || result_.group[kFloat][g] != kNoGroup) continue;
+    if (!cycles_.is_one_to_one[sides_[Exact].face_outer[f]]) continue;
+    if (result_.group[Exact][f] != kNoGroup || result_.group[Float][g] != kNoGroup) continue;
     join({{{f}, {g}}});
     ++result_.same;
   }
@@ -130,7 +130,7 @@ Pairs FaceMatcher::locations() {
         inside_[side][f] = interior_point(sides_[side], FaceId(f));
       } catch (const Error&) {
         // Only in an invalid complex, where a face can be without interior; `note` says so.
-        if (side == kExact || float_is_valid_) throw;
+        if (side == Exact || float_is_valid_) throw;
         continue;
       }
       faces.emplace_back(f);
@@ -150,8 +150,8 @@ Pairs FaceMatcher::locations() {
 /// Joins the groups of the relation and reports them. In the last step also the faces that
 /// correspond to none.
 void FaceMatcher::account_for_groups(const Pairs& relation) {
-  for (const Group& group : connected_groups({open_faces(kExact), open_faces(kFloat)}, relation)) {
-    const bool is_alone = group[kExact].empty() || group[kFloat].empty();
+  for (const Group& group : connected_groups({open_faces(Exact), open_faces(Float)}, relation)) {
+    const bool is_alone = group[Exact].empty() || group[Float].empty();
     if (is_alone && !is_last_step_) continue;
     if (!is_alone) join(group);
     report(group);
@@ -193,7 +193,7 @@ Point FaceMatcher::place_in(Side side, FaceId f) const {
 }
 
 std::string FaceMatcher::message(const Group& group) const {
-  const std::size_t m = group[kExact].size(), n = group[kFloat].size();
+  const std::size_t m = group[Exact].size(), n = group[Float].size();
   if (n == 0) return "an exact face is missing from the float result";
   if (m == 0) return "a float face has no exact counterpart";
   if (m == 1 && n == 1) return "a face has other edges on its outer boundary";
@@ -213,7 +213,7 @@ std::string FaceMatcher::note(Side side, FaceId f) const {
 void FaceMatcher::report(const Group& group) {
   Finding finding;
   finding.kind = CellKind::Face;
-  const std::size_t m = group[kExact].size(), n = group[kFloat].size();
+  const std::size_t m = group[Exact].size(), n = group[Float].size();
   finding.disagreement = n == 0   ? Disagreement::Missing
                          : m == 0 ? Disagreement::Extra
                          : m == n ? Disagreement::Reshaped
@@ -221,10 +221,10 @@ void FaceMatcher::report(const Group& group) {
                                   : Disagreement::Split;
   finding.message = message(group);
   Cause why = cause(group);
-  finding.segments = joined(segments_of(sides_[kExact], why.edges[kExact]),
-                            segments_of(sides_[kFloat], why.edges[kFloat]));
+  finding.segments = joined(segments_of(sides_[Exact], why.edges[Exact]),
+                            segments_of(sides_[Float], why.edges[Float]));
   for (const Side side : kBothSides) cells(finding, side) = group[side];
-  const Side side = m == 0 || m < n ? kFloat : kExact;
+  const Side side = m == 0 || m < n ? Float : Exact;
   const FaceId last(group[side].back());
   finding.where = place_in(side, last);
   if (m == 0 || n == 0) finding.message += note(side, last);

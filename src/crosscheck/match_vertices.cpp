@@ -17,9 +17,9 @@ struct Candidate {
 
 std::vector<Candidate> candidates_nearest_first(const Sides& sides, const NearVertices& floats) {
   std::vector<Candidate> result;
-  for (std::size_t v = 0; v < sides[kExact].vertices.size(); ++v)
+  for (std::size_t v = 0; v < sides[Exact].vertices.size(); ++v)
     for (Near& near :
-         floats.within(sides[kExact].vertices[v], sides.tolerance, sides.squared_tolerance))
+         floats.within(sides[Exact].vertices[v], sides.tolerance, sides.squared_tolerance))
       result.push_back({VertexId(v), std::move(near)});
   std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
     const int by_distance = cmp(a.near.squared_distance, b.near.squared_distance);
@@ -36,8 +36,8 @@ VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
     result.number[side].resize(sides[side].vertices.size());
   }
   for (const Candidate& candidate : candidates_nearest_first(sides, floats)) {
-    VertexId& of_exact = result.match[kExact][candidate.exact_vertex];
-    VertexId& of_float = result.match[kFloat][candidate.near.vertex];
+    VertexId& of_exact = result.match[Exact][candidate.exact_vertex];
+    VertexId& of_float = result.match[Float][candidate.near.vertex];
     if (of_exact.valid() || of_float.valid()) continue;
     of_exact = candidate.near.vertex;
     of_float = candidate.exact_vertex;
@@ -56,8 +56,8 @@ Finding lacking_vertex(const Sides& sides, Side side, VertexId v,
   finding.where = sides.point(side, v);
   cells(finding, side) = {v};
   finding.segments = segments_at(sides, side, std::array{v});
-  finding.message = side == kExact ? "an exact vertex is missing from the float result"
-                                   : "a float vertex has no exact counterpart";
+  finding.message = side == Exact ? "an exact vertex is missing from the float result"
+                                  : "a float vertex has no exact counterpart";
   if (nearest_other) {
     finding.distance = length(nearest_other->squared_distance);
     finding.message += fmt::format("; the nearest {} vertex is {} away", name(other(side)),
@@ -89,7 +89,7 @@ Finding joined_vertices(const Sides& sides, Side side, const std::vector<VertexI
                                  : fmt::format("{} {} vertices within {} of it", vertices.size(),
                                                name(side), rough(*finding.distance));
   finding.message =
-      side == kExact ? spread + " became one float vertex" : "one exact vertex became " + spread;
+      side == Exact ? spread + " became one float vertex" : "one exact vertex became " + spread;
   return finding;
 }
 
@@ -130,11 +130,11 @@ void account_for_unmatched(VertexMatch& result, const Sides& sides, Side side,
 }  // namespace
 
 VertexMatch match_vertices(const Sides& sides, std::size_t first_number) {
-  const NearVertices exacts(sides[kExact]);
-  const NearVertices floats(sides[kFloat]);
+  const NearVertices exacts(sides[Exact]);
+  const NearVertices floats(sides[Float]);
   VertexMatch result = one_to_one(sides, floats);
-  account_for_unmatched(result, sides, kExact, floats, first_number);
-  account_for_unmatched(result, sides, kFloat, exacts, first_number);
+  account_for_unmatched(result, sides, Exact, floats, first_number);
+  account_for_unmatched(result, sides, Float, exacts, first_number);
   return result;
 }
 

@@ -16,7 +16,7 @@ class NestingCheck {
       : sides_(sides), vertices_(vertices), edges_(edges), cycles_(cycles), faces_(faces) {}
 
   std::vector<Finding> run() {
-    for (const Group& group : connected_groups({holes(kExact), holes(kFloat)}, shared_edges()))
+    for (const Group& group : connected_groups({holes(Exact), holes(Float)}, shared_edges()))
       check(group);
     check_isolated_vertices();
     return std::move(findings_);
@@ -69,8 +69,8 @@ std::vector<std::pair<std::size_t, std::size_t>> NestingCheck::shared_edges() co
         for (const HalfedgeId t : *image) {
           const CycleId d = cycles_.cycle_of[other(side)][is_reversed(h) ? twin(t) : t];
           if (!d.valid() || !std::binary_search(others.begin(), others.end(), d)) continue;
-          if (side == kExact) result.emplace_back(c, d);
-          if (side == kFloat) result.emplace_back(d, c);
+          if (side == Exact) result.emplace_back(c, d);
+          if (side == Float) result.emplace_back(d, c);
         }
       }
   }
@@ -106,31 +106,31 @@ void NestingCheck::add(const Group& group, Disagreement disagreement, std::strin
       for (const HalfedgeId h : sides_[side].cycles[c]) edges.push_back(edge_of(h));
     finding.segments = joined(std::move(finding.segments), segments_of(sides_[side], edges));
   }
-  const Side side = group[kExact].empty() ? kFloat : kExact;
+  const Side side = group[Exact].empty() ? Float : Exact;
   finding.where = sides_.point(side, sides_[side].origin(sides_[side].cycles[group[side][0]][0]));
   findings_.push_back(std::move(finding));
 }
 
 void NestingCheck::check(const Group& group) {
-  const std::size_t m = group[kExact].size(), n = group[kFloat].size();
+  const std::size_t m = group[Exact].size(), n = group[Float].size();
   if (m == 1 && n == 1) {
-    const std::size_t c = group[kExact][0], d = group[kFloat][0];
-    const std::size_t exact_group = group_of_parent(kExact, c);
-    const std::size_t float_group = group_of_parent(kFloat, d);
+    const std::size_t c = group[Exact][0], d = group[Float][0];
+    const std::size_t exact_group = group_of_parent(Exact, c);
+    const std::size_t float_group = group_of_parent(Float, d);
     if (exact_group != kNoGroup && float_group != kNoGroup && exact_group != float_group) {
       add(group, Disagreement::WrongParent,
           fmt::format("a component lies in {} and not in {}",
-                      face_text(kFloat, sides_[kFloat].cycle_face[d]),
-                      face_text(kExact, sides_[kExact].cycle_face[c])));
+                      face_text(Float, sides_[Float].cycle_face[d]),
+                      face_text(Exact, sides_[Exact].cycle_face[c])));
       return;
     }
-    if (cycles_.is_one_to_one[c] && cycles_.same[kExact][c] == CycleId(d)) return;
+    if (cycles_.is_one_to_one[c] && cycles_.same[Exact][c] == CycleId(d)) return;
   }
   const auto is_of_interest_in = [&](Side side) {
     return std::any_of(group[side].begin(), group[side].end(),
                        [&](std::size_t c) { return is_of_interest(side, c); });
   };
-  if (!is_of_interest_in(kExact) && !is_of_interest_in(kFloat)) return;
+  if (!is_of_interest_in(Exact) && !is_of_interest_in(Float)) return;
   if (n == 0) return add(group, Disagreement::Missing, "a hole is missing from the float result");
   if (m == 0) return add(group, Disagreement::Extra, "a float hole has no exact counterpart");
   if (m == n) return add(group, Disagreement::Reshaped, "a hole has other edges on its boundary");
@@ -140,22 +140,22 @@ void NestingCheck::check(const Group& group) {
 }
 
 void NestingCheck::check_isolated_vertices() {
-  std::vector<FaceId> float_face(sides_[kFloat].vertices.size());
-  for (std::size_t g = 0; g < sides_[kFloat].face_count(); ++g)
-    for (const VertexId w : sides_[kFloat].face_isolated_vertices[g]) float_face[w] = FaceId(g);
-  for (std::size_t f = 0; f < sides_[kExact].face_count(); ++f)
-    for (const VertexId v : sides_[kExact].face_isolated_vertices[f]) {
-      const VertexId w = vertices_.match[kExact][v];
+  std::vector<FaceId> float_face(sides_[Float].vertices.size());
+  for (std::size_t g = 0; g < sides_[Float].face_count(); ++g)
+    for (const VertexId w : sides_[Float].face_isolated_vertices[g]) float_face[w] = FaceId(g);
+  for (std::size_t f = 0; f < sides_[Exact].face_count(); ++f)
+    for (const VertexId v : sides_[Exact].face_isolated_vertices[f]) {
+      const VertexId w = vertices_.match[Exact][v];
       if (!w.valid() || !float_face[w].valid()) continue;
-      const std::size_t float_group = faces_.group[kFloat][float_face[w]];
-      if (float_group == kNoGroup || faces_.group[kExact][f] == kNoGroup) continue;
-      if (float_group == faces_.group[kExact][f]) continue;
+      const std::size_t float_group = faces_.group[Float][float_face[w]];
+      if (float_group == kNoGroup || faces_.group[Exact][f] == kNoGroup) continue;
+      if (float_group == faces_.group[Exact][f]) continue;
       Finding finding;
       finding.kind = CellKind::Vertex;
       finding.disagreement = Disagreement::WrongParent;
       finding.message = fmt::format("an isolated vertex lies in {} and not in {}",
-                                    face_text(kFloat, float_face[w]), face_text(kExact, FaceId(f)));
-      finding.where = sides_.point(kExact, v);
+                                    face_text(Float, float_face[w]), face_text(Exact, FaceId(f)));
+      finding.where = sides_.point(Exact, v);
       finding.exact_cells = {v};
       finding.float_cells = {w};
       findings_.push_back(std::move(finding));

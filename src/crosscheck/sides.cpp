@@ -55,7 +55,7 @@ EdgeId edge_between(const ExactComplex& complex, VertexId v, VertexId w) {
 }
 
 std::vector<std::size_t>& cells(Finding& finding, Side side) {
-  return side == kExact ? finding.exact_cells : finding.float_cells;
+  return side == Exact ? finding.exact_cells : finding.float_cells;
 }
 
 std::vector<SegmentId> segments_of(const ExactComplex& complex, std::span<const EdgeId> edges) {

@@ -13,9 +13,9 @@ namespace plumbline::matching {
 
 /// The two complexes are treated alike: what is Missing on one side is Extra on the other, what is
 /// Merged is Split.
-enum Side : std::size_t { kExact, kFloat };
-inline constexpr std::array kBothSides = {kExact, kFloat};
-constexpr Side other(Side side) { return side == kExact ? kFloat : kExact; }
+enum Side : std::size_t { Exact, Float };
+inline constexpr std::array kBothSides = {Exact, Float};
+constexpr Side other(Side side) { return side == Exact ? Float : Exact; }
 template <class T>
 using Both = std::array<T, 2>;
 
@@ -40,12 +40,12 @@ EdgeId edge_between(const ExactComplex& complex, VertexId v, VertexId w);
 /// The name of a disagreement seen from a side: what is Missing or Merged for cells of the exact
 /// side is Extra or Split for cells of the float side.
 constexpr Disagreement lacking(Side side) {
-  return side == kExact ? Disagreement::Missing : Disagreement::Extra;
+  return side == Exact ? Disagreement::Missing : Disagreement::Extra;
 }
 constexpr Disagreement joining(Side side) {
-  return side == kExact ? Disagreement::Merged : Disagreement::Split;
+  return side == Exact ? Disagreement::Merged : Disagreement::Split;
 }
-constexpr const char* name(Side side) { return side == kExact ? "exact" : "float"; }
+constexpr const char* name(Side side) { return side == Exact ? "exact" : "float"; }
 
 /// The cells of a side in a finding.
 std::vector<std::size_t>& cells(Finding& finding, Side side);

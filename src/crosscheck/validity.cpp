@@ -22,11 +22,11 @@ Finding to_finding(const Sides& sides, const Violation& violation) {
   if (!violation.edges.empty()) {
     finding.kind = CellKind::Edge;
     finding.float_cells = numbers(violation.edges);
-    finding.segments = segments_of(sides[kFloat], violation.edges);
+    finding.segments = segments_of(sides[Float], violation.edges);
   } else if (!violation.vertices.empty()) {
     finding.kind = CellKind::Vertex;
     finding.float_cells = numbers(violation.vertices);
-    finding.segments = segments_at(sides, kFloat, violation.vertices);
+    finding.segments = segments_at(sides, Float, violation.vertices);
   } else if (!violation.faces.empty()) {
     finding.kind = CellKind::Face;
     finding.float_cells = numbers(violation.faces);
@@ -38,7 +38,7 @@ Finding to_finding(const Sides& sides, const Violation& violation) {
 
 std::vector<Finding> invalidities(const Sides& sides) {
   std::vector<Finding> findings;
-  for (const Violation& violation : validate(sides[kFloat]))
+  for (const Violation& violation : validate(sides[Float]))
     findings.push_back(to_finding(sides, violation));
   return findings;
 }
