@@ -30,13 +30,14 @@ struct Finding {
   Disagreement disagreement = Disagreement::Invalid;
   std::string message;                   ///< one sentence
   Point where;                           ///< exact place to look at
-  std::vector<std::size_t> exact_cells;  ///< indices of cells of `kind` in the exact complex
-  std::vector<std::size_t> float_cells;  ///< indices of cells of `kind` in the float complex
+  std::vector<std::size_t> exact_cells;  ///< indices of cells of `kind` (Hole: cycles), exact side
+  std::vector<std::size_t> float_cells;  ///< the same in the float complex
   std::optional<double> distance;        ///< how far things moved, in drawing units
   std::vector<SegmentId> segments;       ///< the input segments involved, ascending
 };
 
-/// Numbers of cells, for the report.
+/// Numbers of cells, for the report: faces with the unbounded one, holes of bounded faces only (a
+/// hole of the unbounded face is the outline of a component), the greatest nesting depth.
 struct Counts {
   std::size_t vertices = 0, edges = 0, faces = 0, holes = 0, isolated_vertices = 0;
   std::size_t components = 0, antennas = 0, depth = 0;
@@ -47,6 +48,7 @@ Counts counts(const Incidences& complex, std::size_t vertex_count);
 struct Crosscheck {
   double tolerance = 0;
   Counts exact_counts, float_counts;
+  /// Pairs that match one to one; of faces those with the same outer boundary.
   std::size_t matched_vertices = 0, matched_edges = 0, matched_faces = 0;
   double largest_displacement = 0;  ///< of a matched vertex
   bool float_valid = false;         ///< no finding of kind Invalid
@@ -59,8 +61,15 @@ struct Crosscheck {
 /// Holds a float complex against the exact one of the same drawing. Two questions, kept apart: is
 /// the float result, its doubles taken as exact, a valid complex; and do vertices, edges, faces,
 /// holes and nesting match the exact ones one to one, vertices within `tolerance` (compared
-/// exactly)? Requires: both in canonical order. Order: findings do not depend on input order beyond
-/// SegmentIds. Throws: Error BadInput for a tolerance that is negative or not finite.
+/// exactly)? They agree just if both answers are yes. **Exact**, but how cells that do not match
+/// are put together in findings is **heuristic** (nearest vertices, chains within the tolerance,
+/// places of interior points). A finding that follows from earlier ones names them. Requires: both
+/// in canonical order; the float complex need not be valid. Degenerate: vertices nearer to each
+/// other than the tolerance match by their order of nearness. Order: findings do not depend on
+/// input order beyond SegmentIds. Cost: that of `validate`, and O(n log n) for a tolerance not
+/// larger than the drawing's features; a larger one costs up to some hundred operations a cell.
+/// Throws: Error BadInput for a tolerance that is negative or not finite, or a coordinate that is
+/// not finite.
 Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
                       double tolerance);
 
