@@ -11,7 +11,7 @@ ExitCode run(const ArrangeArguments& arguments) {
   if (!arguments.output.empty() && format != ".json" && format != ".svg") {
     throw Error(ErrorCode::BadInput, "an output file ends in .json or .svg", {}, arguments.output);
   }
-  const Drawing drawing = load(arguments.file);
+  const Drawing drawing = load(arguments);
   fmt::print("{}\n", counts_line(drawing.complex));
   fmt::print("{} segments, {} rejected\n{}", drawing.input.segments.size(),
              drawing.input.rejected.size(), rejected_lines(drawing.input));

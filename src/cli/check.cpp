@@ -8,7 +8,7 @@
 namespace plumbline::cli {
 
 ExitCode run(const CheckArguments& arguments) {
-  const Drawing drawing = load(arguments.file);
+  const Drawing drawing = load(arguments);
   const lar::Result lar_result = [&] {
     const Progress progress("running the float LAR pipeline");
     return lar::arrange(drawing.input, {arguments.radius});

@@ -3,27 +3,32 @@
 #include <optional>
 #include <string>
 
+#include "plumbline/arrange.hpp"
+
 namespace plumbline::cli {
 
 /// Exit codes of every command.
 enum ExitCode { kAgree = 0, kDisagree = 1, kBadInput = 2, kInternal = 3 };
 
-struct ArrangeArguments {
+/// What every command reads, and how it is arranged.
+struct DrawingArguments {
   std::string file;
+  Engine engine = Engine::Cgal;
+  bool verify = false;  ///< arrange with both engines and compare
+};
+
+struct ArrangeArguments : DrawingArguments {
   std::string output;
 };
 
-struct CheckArguments {
-  std::string file;
+struct CheckArguments : DrawingArguments {
   std::optional<double> radius;
   std::optional<double> tolerance;
   std::string output;
   std::string picture;
 };
 
-struct InfoArguments {
-  std::string file;
-};
+struct InfoArguments : DrawingArguments {};
 
 /// Each command prints to standard output and returns its exit code. Throws: Error.
 ExitCode run(const ArrangeArguments& arguments);

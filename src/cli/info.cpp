@@ -71,7 +71,7 @@ void print_features(const ExactComplex& complex) {
 }  // namespace
 
 ExitCode run(const InfoArguments& arguments) {
-  const Drawing drawing = load(arguments.file);
+  const Drawing drawing = load(arguments);
   fmt::print("drawing      {}: {} elements, {} segments, {} rejected\n", arguments.file,
              drawing.input.sources.size(), drawing.input.segments.size(),
              drawing.input.rejected.size());

@@ -17,15 +17,20 @@ void ensure_valid(const std::vector<Violation>& violations) {
 
 }  // namespace
 
-Drawing load(const std::string& file) {
+Drawing load(const DrawingArguments& arguments) {
   Drawing drawing;
   {
-    const Progress progress("reading " + file);
-    drawing.input = evaluate(read(file));
+    const Progress progress("reading " + arguments.file);
+    drawing.input = evaluate(read(arguments.file));
   }
   {
     const Progress progress(fmt::format("arranging {} segments", drawing.input.segments.size()));
-    drawing.complex = arrange(drawing.input);
+    drawing.complex = arrange(drawing.input, arguments.engine);
+  }
+  if (arguments.verify) {
+    const Progress progress("arranging with the other engine");
+    const Engine other = arguments.engine == Engine::Cgal ? Engine::Bucket : Engine::Cgal;
+    ensure(arrange(drawing.input, other) == drawing.complex, "the two engines differ");
   }
   const Progress progress(fmt::format("validating {} edges", drawing.complex.edge_count()));
   ensure_valid(validate(drawing.complex));

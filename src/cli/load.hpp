@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cli/commands.hpp"
 #include "plumbline/plumbline.hpp"
 
 namespace plumbline::cli {
@@ -13,7 +14,7 @@ struct Drawing {
 };
 
 /// Reads, arranges and validates. Throws: Error; code Internal, with the first violation, if the
-/// exact arrangement fails a check.
-Drawing load(const std::string& file);
+/// exact arrangement fails a check or the engines differ.
+Drawing load(const DrawingArguments& arguments);
 
 }  // namespace plumbline::cli

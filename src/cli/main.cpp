@@ -25,6 +25,16 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
   CLI::App* command = app.add_subcommand(name, description);
   command->footer(examples);
   command->add_option("FILE", arguments.file, kFile)->required()->type_name("");
+  command
+      ->add_option_function<std::string>(
+          "--engine",
+          [&](const std::string& name) {
+            arguments.engine = name == "cgal" ? Engine::Cgal : Engine::Bucket;
+          },
+          "Arrange with cgal (the reference) or bucket (faster)")
+      ->check(CLI::IsMember({"cgal", "bucket"}))
+      ->type_name("ENGINE");
+  command->add_flag("--verify", arguments.verify, "Arrange with both engines and compare");
   command->callback([&] { exit_code = run(arguments); });
   return command;
 }
