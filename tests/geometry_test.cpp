@@ -102,7 +102,7 @@ TEST_CASE("a segment set keeps segments with their sources and lists what it ref
   set.add(Segment{point("1 2"), point("1 2")}, source);
   set.add(PointD{1, 2}, PointD{1, 2}, source);
   set.add(PointD{0, 0}, PointD{std::numeric_limits<double>::infinity(), 1}, source);
-  set.add(point("7 7"), source);
+  set.add_point(point("7 7"), source);
 
   std::string accepted;
   for (const Segment& s : set.segments) accepted += plumbline::to_text(s) + "\n";

@@ -137,7 +137,7 @@ class SegmentSet {
   /// one that is not finite goes to `rejected` as well.
   void add(PointD a, PointD b, SourceId source);
   /// Adds an isolated point; one beyond the limit goes to `rejected` instead.
-  void add(Point point, SourceId source);
+  void add_point(Point point, SourceId source);
 };
 
 /// "file:line:column element #id (path)", leaving out what is unknown.

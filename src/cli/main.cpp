@@ -28,8 +28,8 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
   command
       ->add_option_function<std::string>(
           "--engine",
-          [&](const std::string& name) {
-            arguments.engine = name == "cgal" ? Engine::Cgal : Engine::Bucket;
+          [&](const std::string& engine) {
+            arguments.engine = engine == "cgal" ? Engine::Cgal : Engine::Bucket;
           },
           "Arrange with cgal (the reference) or bucket (faster)")
       ->check(CLI::IsMember({"cgal", "bucket"}))

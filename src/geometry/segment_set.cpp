@@ -65,7 +65,7 @@ void SegmentSet::add(PointD a, PointD b, SourceId source) {
                                    to_text(a) + ", " + to_text(b)));
 }
 
-void SegmentSet::add(Point point, SourceId source) {
+void SegmentSet::add_point(Point point, SourceId source) {
   if (!is_within_limit(point)) {
     rejected.push_back(make_rejected(sources.at(source), kBeyondLimit, plumbline::to_text(point)));
     return;

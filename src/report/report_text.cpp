@@ -17,7 +17,8 @@ constexpr std::size_t kShownRejected = 5;
 
 using Out = std::back_insert_iterator<std::string>;
 
-std::string number(double value) { return shortest_text(value); }
+/// Six digits: a terminal is for people, JSON has all of them.
+std::string number(double value) { return fmt::format("{:.6g}", value); }
 
 void append_counts(std::string& text, const Crosscheck& c) {
   fmt::format_to(Out(text), "\n{:<18}{:>10}{:>10}\n", "", "exact", "float");

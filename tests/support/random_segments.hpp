@@ -64,7 +64,7 @@ inline plumbline::SegmentSet make(const std::string& family, unsigned seed) {
     set.add(s, source);
   }
   if (random() % 3 == 0) {
-    for (int i = 0; i < 4; ++i) set.add(lattice(), source);
+    for (int i = 0; i < 4; ++i) set.add_point(lattice(), source);
   }
   set.rejected.clear();
   return set;

@@ -21,7 +21,7 @@ inline plumbline::SegmentSet segments(const std::string& text) {
     const auto source = set.add_source({0, ++line, 1, "text", "", ""});
     if (word == "+") {
       words >> word;
-      set.add(point(word), source);
+      set.add_point(point(word), source);
     } else {
       const plumbline::Point a = point(word);
       words >> word;

@@ -19,7 +19,7 @@ std::pair<double, double> x_range(const Approx& l, double low, double high, doub
   double x0 = l.ax, x1 = l.bx;
   if (dy != 0) {
     const double slope = (l.bx - l.ax) / dy;
-    const auto [bottom, top] = std::minmax(l.ay, l.by);
+    const double bottom = std::min(l.ay, l.by), top = std::max(l.ay, l.by);
     const auto at = [&](double y) { return l.ax + (std::clamp(y, bottom, top) - l.ay) * slope; };
     x0 = at(low - margin);
     x1 = at(high + margin);
@@ -108,8 +108,9 @@ Buckets::Buckets(std::span<const Approx> lines, double margin) : margin_(margin)
   nodes_.resize(count);
   for (std::size_t c = 0; c < count; ++c) {
     cells_[c] = static_cast<std::uint32_t>(c);
-    const double x = extent_.x0 + static_cast<double>(c % columns_) * column_width_;
-    const double y = extent_.y0 + static_cast<double>(c / columns_) * row_height_;
+    const std::size_t column = c % columns_, row = c / columns_;
+    const double x = extent_.x0 + static_cast<double>(column) * column_width_;
+    const double y = extent_.y0 + static_cast<double>(row) * row_height_;
     const Box box{x, y, x + column_width_, y + row_height_};
     const std::span<const LineId> here(members.data() + begin[c], begin[c + 1] - begin[c]);
     if (here.size() <= kFull) {

@@ -83,7 +83,7 @@ void GridKernel::reorder(const std::vector<LineId>& order) {
 }
 
 std::pair<Int128, Int128> GridKernel::parameter(LineId s, LineId o) const {
-  const Int128 from = cross(o, 2 * s), to = cross(o, 2 * s + 1);
+  const Int128 from = cross(o, first_end(s)), to = cross(o, last_end(s));
   return from > to ? std::pair(from, from - to) : std::pair(-from, to - from);
 }
 
@@ -97,7 +97,7 @@ int GridKernel::compare_along(LineId s, LineId o, LineId q) const {
 // sign of (1 - n/d) A + n/d B with its values A, B at the ends of s.
 int GridKernel::side_of_crossing(LineId c, LineId s, LineId o) const {
   const auto [n, d] = parameter(s, o);
-  return compare_products(cross(c, 2 * s), d - n, -cross(c, 2 * s + 1), n);
+  return compare_products(cross(c, first_end(s)), d - n, -cross(c, last_end(s)), n);
 }
 
 int GridKernel::compare_x(LineId s, LineId o, EndId end) const {

@@ -72,8 +72,8 @@ class GridKernel {
 
  private:
   bool add(const Point& a, const Point& b);
-  std::int64_t x(EndId end) const { return lines_[line_of(end)][2 * (end & 1U)]; }
-  std::int64_t y(EndId end) const { return lines_[line_of(end)][2 * (end & 1U) + 1]; }
+  std::int64_t x(EndId end) const { return lines_[line_of(end)][is_last(end) ? 2 : 0]; }
+  std::int64_t y(EndId end) const { return lines_[line_of(end)][is_last(end) ? 3 : 1]; }
   Int128 cross(LineId s, EndId end) const {
     const Coordinates& c = lines_[s];
     return Int128(c[2] - c[0]) * (y(end) - c[1]) - Int128(c[3] - c[1]) * (x(end) - c[0]);

@@ -76,7 +76,7 @@ class BucketMeetings {
     return l.ax <= m.bx && m.ax <= l.bx && std::min(l.ay, l.by) <= std::max(m.ay, m.by) &&
            std::min(m.ay, m.by) <= std::max(l.ay, l.by);
   }
-  bool is_point(LineId s) const { return vertex_[2 * s] == vertex_[2 * s + 1]; }
+  bool is_point(LineId s) const { return vertex_[first_end(s)] == vertex_[last_end(s)]; }
   bool is_here(double x, double y) const { return buckets_.bucket_at(x, y) == bucket_; }
   PointD at(LineId s, double t) const {
     const Approx& l = approx_[s];
@@ -90,7 +90,8 @@ class BucketMeetings {
     return a.magnitude / (a.magnitude + b.magnitude);
   }
   double parameter(LineId s, LineId o) const {
-    return parameter(kernel_.orientation(o, 2 * s), kernel_.orientation(o, 2 * s + 1), s, o);
+    return parameter(kernel_.orientation(o, first_end(s)), kernel_.orientation(o, last_end(s)), s,
+                     o);
   }
 
   /// What two lines have in common. The crossing is computed in the same way in every bucket, so
@@ -98,9 +99,9 @@ class BucketMeetings {
   void pair(LineId s, LineId o) {
     if (!boxes_meet(s, o)) return;
     if (o < s) std::swap(s, o);
-    const Value oa = kernel_.orientation(s, 2 * o), ob = kernel_.orientation(s, 2 * o + 1);
+    const Value oa = kernel_.orientation(s, first_end(o)), ob = kernel_.orientation(s, last_end(o));
     if (oa.sign == ob.sign && oa.sign != 0) return;
-    const Value sa = kernel_.orientation(o, 2 * s), sb = kernel_.orientation(o, 2 * s + 1);
+    const Value sa = kernel_.orientation(o, first_end(s)), sb = kernel_.orientation(o, last_end(s));
     if (sa.sign == sb.sign && sa.sign != 0) return;
     if (oa.sign * ob.sign < 0 && sa.sign * sb.sign < 0) {
       const double t = parameter(sa, sb, s, o);
@@ -110,16 +111,17 @@ class BucketMeetings {
     }
     if (is_point(s) && is_point(o)) return;
     if (!is_point(s)) {
-      if (oa.sign == 0) touch(s, 2 * o);
-      if (ob.sign == 0 && !is_point(o)) touch(s, 2 * o + 1);
+      if (oa.sign == 0) touch(s, first_end(o));
+      if (ob.sign == 0 && !is_point(o)) touch(s, last_end(o));
     }
     if (!is_point(o)) {
-      if (sa.sign == 0) touch(o, 2 * s);
-      if (sb.sign == 0 && !is_point(s)) touch(o, 2 * s + 1);
+      if (sa.sign == 0) touch(o, first_end(s));
+      if (sb.sign == 0 && !is_point(s)) touch(o, last_end(s));
     }
     const bool collinear = oa.sign == 0 && ob.sign == 0 && sa.sign == 0 && sb.sign == 0;
-    if (collinear && !is_point(s) && !is_point(o) && kernel_.compare(2 * s, 2 * o + 1) < 0 &&
-        kernel_.compare(2 * o, 2 * s + 1) < 0) {
+    if (collinear && !is_point(s) && !is_point(o) &&
+        kernel_.compare(first_end(s), last_end(o)) < 0 &&
+        kernel_.compare(first_end(o), last_end(s)) < 0) {
       found_.overlapping.push_back(s);
       found_.overlapping.push_back(o);
     }
@@ -127,9 +129,9 @@ class BucketMeetings {
 
   /// An end on the line through s: a touch if strictly inside s, reported in the end's bucket.
   void touch(LineId s, EndId end) {
-    if (kernel_.compare(2 * s, end) >= 0 || kernel_.compare(end, 2 * s + 1) >= 0) return;
+    if (kernel_.compare(first_end(s), end) >= 0 || kernel_.compare(end, last_end(s)) >= 0) return;
     const Approx& m = approx_[line_of(end)];
-    const double x = (end & 1U) != 0 ? m.bx : m.ax, y = (end & 1U) != 0 ? m.by : m.ay;
+    const double x = is_last(end) ? m.bx : m.ax, y = is_last(end) ? m.by : m.ay;
     if (!is_here(x, y)) return;
     found_.touches.push_back({s, vertex_[end], along(s, x, y)});
   }
@@ -213,8 +215,8 @@ class BucketMeetings {
 
   /// Whether s and o cross in the interior of both.
   bool cross(LineId s, LineId o) const {
-    return boxes_meet(s, o) && kernel_.side(s, 2 * o) * kernel_.side(s, 2 * o + 1) < 0 &&
-           kernel_.side(o, 2 * s) * kernel_.side(o, 2 * s + 1) < 0;
+    return boxes_meet(s, o) && kernel_.side(s, first_end(o)) * kernel_.side(s, last_end(o)) < 0 &&
+           kernel_.side(o, first_end(s)) * kernel_.side(o, last_end(s)) < 0;
   }
 
   bool add_pencil(std::vector<Member>& members, LineId s, LineId o, std::uint32_t bit) {
@@ -252,7 +254,7 @@ class BucketMeetings {
     // On its line; within it if its ends are not strictly on one side of s, or of o if s is
     // parallel.
     const LineId c = cutter(line, s, o);
-    return kernel_.side(c, 2 * line) * kernel_.side(c, 2 * line + 1) <= 0;
+    return kernel_.side(c, first_end(line)) * kernel_.side(c, last_end(line)) <= 0;
   }
   /// Of s and o one that is not parallel to the line.
   LineId cutter(LineId line, LineId s, LineId o) const {
@@ -266,7 +268,7 @@ class BucketMeetings {
     for (const Member* m : pencil) {
       const LineId line = m->line;
       bool ends_here = false;
-      for (const EndId e : {2 * line, 2 * line + 1}) {
+      for (const EndId e : {first_end(line), last_end(line)}) {
         if (line == s || line == o || kernel_.side(cutter(line, s, o), e) != 0) continue;
         end = e;
         ends_here = true;
@@ -280,7 +282,7 @@ class BucketMeetings {
         const Approx& m = approx_[line_of(*end)];
         found_.touches.push_back(
             {line, vertex_[*end],
-             (*end & 1U) != 0 ? along(line, m.bx, m.by) : along(line, m.ax, m.ay)});
+             is_last(*end) ? along(line, m.bx, m.by) : along(line, m.ax, m.ay)});
       } else if (line != s && line != o) {
         found_.throughs.push_back({line, crossing, parameter(line, cutter(line, s, o))});
       }

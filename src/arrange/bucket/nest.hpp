@@ -32,7 +32,7 @@ std::vector<Component> find_components(const Kernel& kernel, std::span<const App
   constexpr EndId kNone = 0xffffffffU;
   std::vector<EndId> least(chains.meeting.size(), kNone);
   const auto x_of = [&](EndId e) {
-    return (e & 1U) != 0 ? approx[line_of(e)].bx : approx[line_of(e)].ax;
+    return is_last(e) ? approx[line_of(e)].bx : approx[line_of(e)].ax;
   };
   for (std::size_t v = 0; v < chains.meeting.size(); ++v) {
     if (chains.meeting[v] >= ends.first.size()) continue;
@@ -48,7 +48,7 @@ std::vector<Component> find_components(const Kernel& kernel, std::span<const App
     if (e == kNone) continue;
     // The chain's own vertex at this end.
     const auto chain = chains[line_of(e)];
-    const std::uint32_t v = (e & 1U) != 0 ? chain.back() : chain.front();
+    const std::uint32_t v = is_last(e) ? chain.back() : chain.front();
     const bool isolated = g.around_begin[v] == g.around_begin[v + 1];
     // Around the least vertex every halfedge leaves to the right; what is left of the last one of
     // them goes all around the component.
@@ -77,7 +77,7 @@ class Rays {
   /// The halfedge just below an end, running rightwards, on a line just right of it.
   std::optional<HalfedgeId> below(EndId end) const {
     const Approx& l = approx_[line_of(end)];
-    const double x = (end & 1U) != 0 ? l.bx : l.ax, y = (end & 1U) != 0 ? l.by : l.ay;
+    const double x = is_last(end) ? l.bx : l.ax, y = is_last(end) ? l.by : l.ay;
     std::optional<LineId> best;
     double height = 0;
     buckets_.down(x, y, [&](std::size_t bucket) {
@@ -98,7 +98,7 @@ class Rays {
   bool passes_below(LineId s, EndId end, double x) const {
     const Approx& l = approx_[s];
     if (x < l.ax || l.bx < x) return false;
-    return kernel_.compare_x(2 * s, end) <= 0 && kernel_.compare_x(end, 2 * s + 1) < 0 &&
+    return kernel_.compare_x(first_end(s), end) <= 0 && kernel_.compare_x(end, last_end(s)) < 0 &&
            kernel_.side(s, end) > 0;
   }
   /// A lower bound of the height of s at x. Rounded coordinates are within the margin of the exact

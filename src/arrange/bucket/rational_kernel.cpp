@@ -85,7 +85,7 @@ void RationalKernel::reorder(const std::vector<LineId>& order) {
 // products that underflow.
 RationalKernel::Filtered RationalKernel::filtered(LineId s, EndId end) const {
   const Approx &l = approx_[s], &m = approx_[line_of(end)];
-  const bool head = (end & 1U) != 0;
+  const bool head = is_last(end);
   const double dx = l.bx - l.ax, dy = l.by - l.ay;
   const double ex = (head ? m.bx : m.ax) - l.ax, ey = (head ? m.by : m.ay) - l.ay;
   const double left = dx * ey, right = dy * ex, e = kDifferenceError;
@@ -107,7 +107,7 @@ int RationalKernel::compare_directions(LineId s, LineId o) const {
 }
 
 Rational RationalKernel::parameter(LineId s, LineId o) const {
-  const Rational from = cross(o, 2 * s), to = cross(o, 2 * s + 1);
+  const Rational from = cross(o, first_end(s)), to = cross(o, last_end(s));
   return from / (from - to);
 }
 

@@ -60,8 +60,8 @@ class RationalKernel {
   struct Filtered {
     double value, error;
   };
-  const Rational& x(EndId end) const { return lines_[line_of(end)][2 * (end & 1U)]; }
-  const Rational& y(EndId end) const { return lines_[line_of(end)][2 * (end & 1U) + 1]; }
+  const Rational& x(EndId end) const { return lines_[line_of(end)][is_last(end) ? 2 : 0]; }
+  const Rational& y(EndId end) const { return lines_[line_of(end)][is_last(end) ? 3 : 1]; }
   Filtered filtered(LineId s, EndId end) const;
   /// Rounded absolute value of a cross product, in the units of `filtered`.
   double magnitude(const Rational& cross) const;

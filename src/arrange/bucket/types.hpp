@@ -14,6 +14,10 @@ using LineId = std::uint32_t;
 /// An end of a line: 2 line (a) or 2 line + 1 (b).
 using EndId = std::uint32_t;
 constexpr LineId line_of(EndId end) { return end >> 1U; }
+constexpr EndId first_end(LineId line) { return 2 * line; }
+constexpr EndId last_end(LineId line) { return 2 * line + 1; }
+/// Whether an end is the b of its line.
+constexpr bool is_last(EndId end) { return (end & 1U) != 0; }
 
 /// Where lines meet. Below `Meetings::ends` a distinct end point, from there on a crossing.
 using MeetingId = std::uint32_t;

@@ -84,7 +84,7 @@ class Along {
     const LineId o = cutter(s, n);
     const int of_end = kernel_.side(o, end(m));
     if (of_end == 0) return 0;
-    return of_end == kernel_.side(o, 2 * s) ? -1 : 1;
+    return of_end == kernel_.side(o, first_end(s)) ? -1 : 1;
   }
 
   const Kernel& kernel_;
@@ -162,12 +162,12 @@ Chains make_chains(const Kernel& kernel, std::span<const Approx> approx, double 
   chains.vertex.reserve(hits.size() + 2 * line_count);
   for (LineId s = 0; s < line_count; ++s) {
     chains.begin.push_back(static_cast<std::uint32_t>(chains.vertex.size()));
-    chains.vertex.push_back(number[ends.vertex[2 * s]]);
+    chains.vertex.push_back(number[ends.vertex[first_end(s)]]);
     for (std::uint32_t h = begin[s]; h < begin[s + 1]; ++h) {
       const std::uint32_t v = number[hits[h].meeting];
       if (v != chains.vertex.back()) chains.vertex.push_back(v);
     }
-    const std::uint32_t v = number[ends.vertex[2 * s + 1]];
+    const std::uint32_t v = number[ends.vertex[last_end(s)]];
     if (v != chains.vertex.back()) chains.vertex.push_back(v);
   }
   chains.begin.push_back(static_cast<std::uint32_t>(chains.vertex.size()));
