@@ -115,6 +115,14 @@ TEST_CASE("equal and reversed segments are one edge with all sources") {
   CHECK(sources(arrange(segments("0 0 2 1  2 1 0 0  0 0 2 1"))) == "0 0, 2 1: 0 1 2\n");
 }
 
+TEST_CASE("ten thousand copies of a segment are one edge with all sources") {
+  std::string text;
+  for (int i = 0; i < 10000; ++i) text += i % 2 == 0 ? "0 0 2 1  " : "2 1 0 0  ";
+  const ExactComplex complex = arrange(segments(text));
+  CHECK(complex.edge_count() == 1);
+  CHECK(complex.edge_sources[0].size() == 10000);
+}
+
 TEST_CASE("two overlapping strokes of a wall divide a square in two") {
   CHECK(arranged(rectangle(0, 0, 3, 3) + "0 1 2 1  1 1 3 1") == "V 8 E 9 F 3 C 1");
 }

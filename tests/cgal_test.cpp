@@ -22,7 +22,7 @@ TEST_CASE("a user gets CGAL's own arrangement, with the sources of each edge") {
 TEST_CASE("CGAL's arrangement and the complex are the same subdivision") {
   const SegmentSet input =
       segments(rectangle(0, 0, 9, 9) + rectangle(1, 1, 2, 2) + "0 3 9 7  + 5 5");
-  CHECK(cgal::to_complex(cgal::arrangement(input)) == arrange(input));
+  CHECK(cgal::to_complex(cgal::arrangement(input), input) == arrange(input));
 }
 
 TEST_CASE("points cross to CGAL and back unchanged") {

@@ -60,6 +60,17 @@ expect "an empty drawing checks" 0 'agree' "$plumbline" check empty.svg --pictur
 leaves "the outputs are there, and nothing else" a.svg b.svg empty-check.svg empty.json empty.svg
 
 expect "an unknown output format is refused before the work" 2 'json.*svg.*out\.txt' "$plumbline" arrange "$examples/dwelling.svg" -o out.txt
+expect "an empty output name is refused" 2 'output' "$plumbline" arrange "$examples/dwelling.svg" -o ''
+expect "a picture is an .svg file" 2 'ends in \.svg.*p\.json' "$plumbline" check "$examples/dwelling.svg" --picture p.json
+cp "$examples/dwelling.svg" in.svg
+expect "a drawing is not overwritten" 2 'overwrite.*in\.svg' "$plumbline" arrange in.svg -o ./in.svg
+expect "nor by a picture" 2 'overwrite' "$plumbline" check in.svg --picture in.svg
+expect "the drawing is what it was" 0 '^$' cmp in.svg "$examples/dwelling.svg"
+printf '0,0,1e-320,0\n0,0,0,1e-320\n1e-320,0,0,1e-320\n' >tiny.lines
+expect "features below the least double's square root have a size" 0 'nearest vertices 9\.99989e-321 apart' "$plumbline" info tiny.lines
+expect "a tiny drawing has a picture" 0 'agree' "$plumbline" check tiny.lines --picture tiny.svg
+expect "without coordinates that are no numbers" 1 '^$' grep -E 'nan|inf' tiny.svg
+rm -f in.svg tiny.lines tiny.svg
 expect "an output that cannot be written is an error" 2 'none/out\.json' "$plumbline" arrange "$examples/dwelling.svg" -o none/out.json
 expect "a negative radius is refused" 2 'radius' "$plumbline" check "$examples/dwelling.svg" --radius -1
 expect "a radius that is no number is refused" 2 'radius' "$plumbline" check "$examples/dwelling.svg" --radius much

@@ -202,6 +202,29 @@ TEST_CASE("validate finds a component that no face holds") {
   CHECK(invariants(canonical(c)) == "nesting");
 }
 
+TEST_CASE("validate finds derived members that do not follow from the rest") {
+  const auto broken = [](const auto& change) {
+    ExactComplex c = plan();
+    change(c);
+    return invariants(c);
+  };
+  CHECK(broken([](ExactComplex& c) { c.face_depth[3] = 7; }).find("derived member") == 0);
+  CHECK(broken([](ExactComplex& c) { c.face_depth[0] = 1; }).find("derived member") == 0);
+  CHECK(broken([](ExactComplex& c) { c.halfedge_face[5] = FaceId(4); }).find("derived member") ==
+        0);
+  CHECK(broken([](ExactComplex& c) {
+          std::swap(c.cycle_face[0], c.cycle_face[3]);
+        }).find("derived member") != std::string::npos);
+  CHECK(broken([](ExactComplex& c) {
+          c.vertex_component[9] = ComponentId(0);
+        }).find("derived member") != std::string::npos);
+  CHECK(broken([](ExactComplex& c) {
+          c.component_parent.push_back(FaceId(0));
+        }).find("derived member") != std::string::npos);
+  CHECK(broken([](ExactComplex& c) { std::swap(c.component_parent[0], c.component_parent[1]); }) !=
+        "");
+}
+
 TEST_CASE("validate finds a face too many") {
   ExactComplex c = arrange(segments(rectangle(0, 0, 9, 9)));
   c.face_outer.push_back(c.face_outer[1]);

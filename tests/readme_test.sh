@@ -6,7 +6,7 @@ plumbline=$1
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck disable=SC2016 # the backquotes are Markdown's
 sed -n '/^```cpp$/,/^```$/p' README.md | sed '1d;$d' | diff - examples/quickstart.cpp
-picture=$(mktemp)
+picture=$(mktemp --suffix=.svg)
 trap 'rm -f "$picture"' EXIT
 "$plumbline" check examples/data/office-plan.svg --picture "$picture" >/dev/null || [[ $? == 1 ]]
 cmp "$picture" docs/office-plan.svg

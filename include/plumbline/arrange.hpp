@@ -18,6 +18,8 @@ enum class Engine {
 /// all resolved; empty input gives the unbounded face alone.
 /// Order: canonical; does not depend on the order or direction of the segments (SegmentIds in
 /// `edge_sources` aside). Cost: O((n + K) log n) exact operations for K crossings.
+/// With Engine::Cgal, overlaps of k collinear segments in one place cost O(k^3); equal segments
+/// count once.
 /// Throws: Error Limit for a coordinate beyond kMaxCoordinateBits (`SegmentSet::add` refuses it).
 ExactComplex arrange(const SegmentSet& input, Engine engine = Engine::Cgal);
 

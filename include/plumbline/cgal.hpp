@@ -22,9 +22,11 @@ Kernel::Point_2 to_cgal(const Point& p);
 Kernel::Segment_2 to_cgal(const Segment& s);
 Point from_cgal(const Kernel::Point_2& p);
 
-/// The arrangement itself; the data of an edge's curve are the segments that cover it. **Exact**.
+/// The arrangement itself; the data of an edge's curve are the segments that cover it, of equal
+/// segments the first. **Exact**. Cost: that of CGAL's sweep, which is cubic in the number of
+/// collinear segments that overlap in one place.
 Arrangement arrangement(const SegmentSet& input);
-/// The canonical complex of an arrangement. **Exact**.
-ExactComplex to_complex(const Arrangement& arrangement);
+/// The canonical complex of the arrangement of the input, equal segments included. **Exact**.
+ExactComplex to_complex(const Arrangement& arrangement, const SegmentSet& input);
 
 }  // namespace plumbline::cgal

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "plumbline/error.hpp"
 #include "plumbline/geometry.hpp"
 
 namespace plumbline {
@@ -38,6 +39,7 @@ class Lists {
   template <class Range>
   void push_back(const Range& list) {
     values_.insert(values_.end(), list.begin(), list.end());
+    ensure(values_.size() <= 0xffffffffU, "a list of lists holds less than 2^32 items");
     begin_.push_back(static_cast<std::uint32_t>(values_.size()));
   }
   /// All lists one after the other.
@@ -152,9 +154,10 @@ FeatureSize feature_size(const ExactComplex& complex);
 
 /// The invariants of a cellular complex that `validate` checks.
 enum class Invariant {
-  Index,               ///< every index in range, edges with two different ends
-  HalfedgeInCycle,     ///< each halfedge in exactly one cycle
-  CycleClosed,         ///< each halfedge of a cycle starts where the one before it ends
+  Index,            ///< every index in range, edges with two different ends
+  HalfedgeInCycle,  ///< each halfedge in exactly one cycle
+  CycleClosed,      ///< each halfedge of a cycle starts where the one before it ends
+  Derived,          ///< faces of cycles and halfedges, components and depths follow from the rest
   BoundaryOfBoundary,  ///< d1 d2 = 0
   Orientation,         ///< outer boundaries counter-clockwise, holes clockwise (or of area 0)
   Crossing,            ///< no two edges meet except at common vertices

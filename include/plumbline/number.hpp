@@ -29,6 +29,11 @@ Rational rational_from(double value);
 /// the largest double the result is an infinity, as IEEE 754 rounds. Never -0.
 double nearest_double(const Rational& value);
 
+/// The square root of a value >= 0 in doubles, within two units in the last place, whatever the
+/// size of the value: 0 only for 0 and for roots below half the least double, an infinity beyond
+/// the largest.
+double nearest_sqrt(const Rational& value);
+
 /// The shortest decimal text that reads back as the same double. -0 gives "0".
 std::string shortest_text(double value);
 

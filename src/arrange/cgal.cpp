@@ -4,6 +4,8 @@
 
 #include "plumbline/cgal.hpp"
 
+#include <algorithm>
+#include <map>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -19,10 +21,25 @@ static_assert(std::is_same_v<cgal::Kernel::FT::ET, Rational>,
 namespace cgal {
 namespace {
 
+/// Per segment the first one with the same ends, in either direction.
+std::vector<SegmentId> first_copies(const SegmentSet& input) {
+  std::map<std::pair<Point, Point>, SegmentId> known;
+  std::vector<SegmentId> first;
+  for (std::size_t s = 0; s < input.segments.size(); ++s) {
+    const auto& [a, b] = input.segments[s];
+    first.push_back(known.try_emplace(std::minmax(a, b), SegmentId(s)).first->second);
+  }
+  return first;
+}
+
 /// Ids of the cells of an arrangement, by their addresses.
 class Conversion {
  public:
-  explicit Conversion(const Arrangement& arrangement) : arrangement_(arrangement) {}
+  Conversion(const Arrangement& arrangement, const SegmentSet& input)
+      : arrangement_(arrangement), copies_(input.segments.size()) {
+    const std::vector<SegmentId> first = first_copies(input);
+    for (std::size_t s = 0; s < first.size(); ++s) copies_[first[s]].emplace_back(s);
+  }
 
   ExactComplex convert() {
     add_vertices();
@@ -49,8 +66,11 @@ class Conversion {
       halfedge_[&*e] = halfedge(id, false);
       halfedge_[&*e->twin()] = halfedge(id, true);
       complex_.edges.push_back({vertex_.at(&*e->source()), vertex_.at(&*e->target())});
-      const auto& sources = e->curve().data();
-      complex_.edge_sources.push_back(std::vector<SegmentId>(sources.begin(), sources.end()));
+      std::vector<SegmentId> sources;
+      for (const SegmentId s : e->curve().data()) {
+        sources.insert(sources.end(), copies_[s].begin(), copies_[s].end());
+      }
+      complex_.edge_sources.push_back(sources);
     }
   }
 
@@ -80,6 +100,7 @@ class Conversion {
   }
 
   const Arrangement& arrangement_;
+  std::vector<std::vector<SegmentId>> copies_;  ///< per first copy, all segments equal to it
   ExactComplex complex_;
   std::unordered_map<const void*, VertexId> vertex_;
   std::unordered_map<const void*, HalfedgeId> halfedge_;
@@ -105,8 +126,10 @@ Point from_cgal(const Kernel::Point_2& p) {
 Arrangement arrangement(const SegmentSet& input) {
   std::vector<Traits::Curve_2> curves;
   curves.reserve(input.segments.size());
-  for (std::size_t s = 0; s < input.segments.size(); ++s) {
-    curves.emplace_back(to_cgal(input.segments[s]), SegmentId(s));
+  // CGAL's sweep takes cubic time in the number of copies of a segment.
+  const std::vector<SegmentId> first = first_copies(input);
+  for (std::size_t s = 0; s < first.size(); ++s) {
+    if (first[s] == SegmentId(s)) curves.emplace_back(to_cgal(input.segments[s]), SegmentId(s));
   }
   Arrangement result;
   CGAL::insert(result, curves.begin(), curves.end());
@@ -114,14 +137,14 @@ Arrangement arrangement(const SegmentSet& input) {
   return result;
 }
 
-ExactComplex to_complex(const Arrangement& arrangement) {
-  return Conversion(arrangement).convert();
+ExactComplex to_complex(const Arrangement& arrangement, const SegmentSet& input) {
+  return Conversion(arrangement, input).convert();
 }
 
 }  // namespace cgal
 
 ExactComplex cgal_engine(const SegmentSet& input) {
-  return cgal::to_complex(cgal::arrangement(input));
+  return cgal::to_complex(cgal::arrangement(input), input);
 }
 
 }  // namespace plumbline

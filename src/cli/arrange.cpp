@@ -2,24 +2,23 @@
 
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
+#include "cli/outputs.hpp"
 #include "cli/print.hpp"
 
 namespace plumbline::cli {
 
 ExitCode run(const ArrangeArguments& arguments) {
-  const std::string format = std::filesystem::path(arguments.output).extension();
-  if (!arguments.output.empty() && format != ".json" && format != ".svg") {
-    throw Error(ErrorCode::BadInput, "an output file ends in .json or .svg", {}, arguments.output);
-  }
+  check_outputs(arguments.file, {{arguments.output, {".json", ".svg"}}});
   const Drawing drawing = load(arguments);
   fmt::print("{}\n", counts_line(drawing.complex));
   fmt::print("{} segments, {} rejected\n{}", drawing.input.segments.size(),
              drawing.input.rejected.size(), rejected_lines(drawing.input));
   fmt::print("{}\nsignature {}\n", exactness_line(drawing.input), signature(drawing.complex));
-  if (arguments.output.empty()) return kAgree;
-  write_file(arguments.output,
-             format == ".json" ? to_json(drawing.complex, drawing.input) : to_svg(drawing.complex));
-  fmt::print("wrote {}\n", arguments.output);
+  if (!arguments.output) return kAgree;
+  write_file(*arguments.output, ending(*arguments.output) == ".json"
+                                    ? to_json(drawing.complex, drawing.input)
+                                    : to_svg(drawing.complex));
+  fmt::print("wrote {}\n", *arguments.output);
   return kAgree;
 }
 

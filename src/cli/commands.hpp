@@ -18,14 +18,14 @@ struct DrawingArguments {
 };
 
 struct ArrangeArguments : DrawingArguments {
-  std::string output;
+  std::optional<std::string> output;
 };
 
 struct CheckArguments : DrawingArguments {
   std::optional<double> radius;
   std::optional<double> tolerance;
-  std::string output;
-  std::string picture;
+  std::optional<std::string> output;
+  std::optional<std::string> picture;
 };
 
 struct InfoArguments : DrawingArguments {};

@@ -54,7 +54,8 @@ void print_features(const ExactComplex& complex) {
   if (complex.edge_count() == 0) return;
   const FeatureSize size = feature_size(complex);
   const auto distance = [](const Rational& squared) {
-    return shortest_text(std::sqrt(nearest_double(squared)));
+    const double rounded = nearest_sqrt(squared);
+    return rounded > 0 ? fmt::format("{:.6g}", rounded) : std::string("less than 5e-324");
   };
   const auto at = [&](VertexId v) {
     const PointD p = nearest(complex.vertices[v]);

@@ -68,9 +68,10 @@ ExitCode parse_and_run(int argc, char** argv) {
       "Example: plumbline check plan.svg --radius 0.01 -o report.json --picture check.svg",
       exit_code);
   command
-      ->add_option("--radius", check.radius,
-                   "Float LAR merges vertices no further apart than this, in drawing units "
-                   "[default: 0.001 x the drawing's longer side]")
+      ->add_option(
+          "--radius", check.radius,
+          "Float LAR merges vertices no further apart than this, in drawing units "
+          "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate]")
       ->type_name("R");
   command
       ->add_option("--tolerance", check.tolerance,

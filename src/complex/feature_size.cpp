@@ -14,11 +14,12 @@ namespace {
 
 /// Upper bound of a distance, given its exact square, on coordinates of absolute value up to
 /// `extent`. Nearest doubles of two coordinates differ from their exact difference by at most 4
-/// half-ulps of the extent; the relative margin covers the square root.
+/// half-ulps of the extent; the relative margin covers the square root, the last term
+/// coordinates that underflow.
 double window(const Rational& squared, double extent) {
   constexpr double kRelative = 1 + 8 * std::numeric_limits<double>::epsilon();
-  return std::sqrt(nearest_double(squared)) * kRelative +
-         4 * std::numeric_limits<double>::epsilon() * extent;
+  return nearest_sqrt(squared) * kRelative + 4 * std::numeric_limits<double>::epsilon() * extent +
+         8 * std::numeric_limits<double>::denorm_min();
 }
 
 class Search {

@@ -25,7 +25,7 @@ void validate_graph(const ExactComplex& complex, Violations& violations);
 /// Invariants of the faces in the plane: Orientation, CyclicOrder, Area.
 void validate_faces(const ExactComplex& complex, Violations& violations);
 /// Nesting: each component lies in the face that its hole (or isolated vertex) belongs to.
-/// Requires: a valid graph.
+/// Requires: no violation of Derived.
 void validate_nesting(const ExactComplex& complex, Violations& violations);
 
 }  // namespace plumbline

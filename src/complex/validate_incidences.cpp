@@ -74,6 +74,84 @@ void check_cycles(const ExactComplex& c, Violations& violations) {
   }
 }
 
+/// Faces of cycles and halfedges are what `face_outer`, `face_holes` and `cycles` say; no member
+/// beyond.
+void check_faces_of_cycles(const ExactComplex& c, Violations& violations) {
+  std::vector<FaceId> expected(c.cycles.size());
+  for (std::size_t f = 0; f < c.face_count(); ++f) {
+    if (c.face_outer[f].valid()) expected[c.face_outer[f]] = FaceId(f);
+    for (const CycleId hole : c.face_holes[f]) expected[hole] = FaceId(f);
+  }
+  for (std::size_t i = 0; i < c.cycles.size(); ++i) {
+    const auto cycle = c.cycles[i];
+    const bool same = c.cycle_face[i] == expected[i] &&
+                      std::all_of(cycle.begin(), cycle.end(),
+                                  [&](HalfedgeId h) { return c.halfedge_face[h] == expected[i]; });
+    if (same) continue;
+    violations.add({Invariant::Derived,
+                    "a cycle or one of its halfedges names another face than its own",
+                    c.vertices[c.origin(cycle.front())],
+                    {},
+                    {edge_of(cycle.front())},
+                    {expected[i]}});
+  }
+}
+
+/// Components are found anew by walking along edges from each vertex in turn.
+void check_components(const ExactComplex& c, Violations& violations) {
+  std::vector<std::vector<VertexId>> neighbours(c.vertices.size());
+  for (const Edge& e : c.edges) {
+    neighbours[e.tail].push_back(e.head);
+    neighbours[e.head].push_back(e.tail);
+  }
+  std::vector<bool> seen(c.vertices.size(), false);
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < seen.size(); ++first) {
+    if (seen[first]) continue;
+    std::vector<VertexId> stack{VertexId(first)};
+    seen[first] = true;
+    while (!stack.empty()) {
+      const VertexId v = stack.back();
+      stack.pop_back();
+      if (c.vertex_component[v] != ComponentId(count)) {
+        violations.add({Invariant::Derived,
+                        "a vertex names another component than its own",
+                        c.vertices[v],
+                        {v},
+                        {},
+                        {}});
+      }
+      for (const VertexId w : neighbours[v]) {
+        if (!seen[w]) stack.push_back(w);
+        seen[w] = true;
+      }
+    }
+    ++count;
+  }
+  if (count == c.component_count()) return;
+  violations.add({Invariant::Derived,
+                  "there are " + std::to_string(count) + " components, not " +
+                      std::to_string(c.component_count()),
+                  {},
+                  {},
+                  {},
+                  {}});
+}
+
+void check_depths(const ExactComplex& c, Violations& violations) {
+  for (std::size_t f = 0; f < c.face_count(); ++f) {
+    const std::uint32_t expected = f == kUnbounded ? 0 : c.face_depth[c.parent(FaceId(f))] + 1;
+    if (c.face_depth[f] == expected) continue;
+    violations.add(
+        {Invariant::Derived,
+         "a face is not one deeper than the face around it",
+         f == kUnbounded ? Point{} : c.vertices[c.origin(c.cycles[c.face_outer[f]].front())],
+         {},
+         {},
+         {FaceId(f)}});
+  }
+}
+
 void check_boundary_of_boundary(const ExactComplex& c, Violations& violations) {
   ChainMatrix product = boundary_1(c, c.vertices.size()) * boundary_2(c);
   for (int f = 0; f < product.outerSize(); ++f) {
@@ -109,6 +187,9 @@ void validate_incidences(const ExactComplex& complex, Violations& violations) {
   if (violations.has(Invariant::Index)) return;
   check_halfedges(complex, violations);
   check_cycles(complex, violations);
+  check_faces_of_cycles(complex, violations);
+  check_components(complex, violations);
+  check_depths(complex, violations);
   check_boundary_of_boundary(complex, violations);
   check_euler(complex, violations);
 }

@@ -85,4 +85,18 @@ std::string shortest_text(double value) {
   return {buffer.data(), end};
 }
 
+double nearest_sqrt(const Rational& value) {
+  if (sgn(value) <= 0) return 0;
+  // value = m * 4^k with m near 1, so that the root is sqrt(m) * 2^k.
+  const auto bits = [](mpz_srcptr z) { return static_cast<long>(mpz_sizeinbase(z, 2)); };
+  const long k = (bits(value.get_num_mpz_t()) - bits(value.get_den_mpz_t())) / 2;
+  Rational m;
+  if (k >= 0) {
+    mpq_div_2exp(m.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(2 * k));
+  } else {
+    mpq_mul_2exp(m.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-2 * k));
+  }
+  return std::ldexp(std::sqrt(nearest_double(m)), static_cast<int>(k));
+}
+
 }  // namespace plumbline

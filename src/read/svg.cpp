@@ -73,6 +73,7 @@ class SvgReader {
     }
     structure_.structs.push_back(named_struct(root));
     frames_.push_back({root, root.first_child(), structure_.root});
+    list_what_root_adds(root);
     while (!frames_.empty()) step();
     return std::move(structure_);
   }
@@ -84,6 +85,19 @@ class SvgReader {
     pugi::xml_node next;  ///< child
     StructId id;
   };
+
+  /// Coordinates are user units of the root's viewBox. What maps them to a page from outside is
+  /// listed.
+  void list_what_root_adds(const pugi::xml_node& root) {
+    try {
+      check_placement(root, "svg");
+    } catch (const Unusable& problem) {
+      reject(root, problem);
+    }
+    if (!root.attribute("transform")) return;
+    reject(root, {"transform of the root svg maps its user units to the page; it is not applied",
+                  std::string(attribute(root, "transform"))});
+  }
 
   void step() {
     Frame& frame = frames_.back();
@@ -150,6 +164,14 @@ class SvgReader {
 
   void pass_over(const pugi::xml_node& element) {
     if (holds_drawing(element)) reject(element, {"not drawn directly", {}});
+    if (local_name(element) != "style") return;
+    const std::string_view sheet = element.child_value();
+    for (const char* word : {"transform", "display", "visibility"}) {
+      if (sheet.find(word) == sheet.npos) continue;
+      reject(element,
+             {"style sheets are not interpreted: " + std::string(word), std::string(sheet)});
+      return;
+    }
   }
 
   /// The map of the element's transform, if it has one.

@@ -37,15 +37,22 @@ class Temporary {
   }
 
   void rename() {
-    const ::mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(file_, 0666 & ~mask) != 0) fail("cannot set the file's permissions");
+    if (::fchmod(file_, permissions()) != 0) fail("cannot set the file's permissions");
     if (::fsync(file_) != 0 && errno != EINVAL) fail("cannot write the file");
     if (::rename(name_.c_str(), target_.c_str()) != 0) fail("cannot replace the file");
     renamed_ = true;
   }
 
  private:
+  /// Those of the file that is replaced, or of a new one.
+  ::mode_t permissions() const {
+    struct ::stat old = {};
+    if (::stat(target_.c_str(), &old) == 0) return old.st_mode & 07777;
+    const ::mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+  }
+
   [[noreturn]] void fail(const std::string& what) const {
     const std::string reason = std::strerror(errno);
     if (file_ >= 0) ::unlink(name_.c_str());

@@ -11,6 +11,8 @@
 namespace plumbline::picture {
 namespace {
 
+// A smaller drawing is drawn as a point: magnifying it to a panel would overflow.
+constexpr double kLeastExtent = 1e-290;
 // A picture of this many pens across reads well on a screen: thin lines at 1600 pixels.
 constexpr double kPensAcross = 1000;
 constexpr double kMarkPens = 2.5, kDashPens = 4, kDotPens = 2;
@@ -105,7 +107,7 @@ Box bounds(const FloatComplex& complex) {
   if (complex.vertices.empty()) return {{0, 0}, {1, 1}};
   Box box{complex.vertices[0], complex.vertices[0]};
   for (const PointD& p : complex.vertices) box = hull(box, {p, p});
-  if (box.width() > 0 || box.height() > 0) return box;
+  if (std::max(box.width(), box.height()) > kLeastExtent) return box;
   return {{box.low.x - 0.5, box.low.y - 0.5}, {box.high.x + 0.5, box.high.y + 0.5}};
 }
 

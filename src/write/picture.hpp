@@ -27,8 +27,8 @@ struct Box {
 
 /// The least box around both boxes.
 Box hull(const Box& a, const Box& b);
-/// The box of the vertices. Degenerate: no vertex gives the unit square; a box of no extent is
-/// widened to one.
+/// The box of the vertices. Degenerate: no vertex gives the unit square; a box of no extent (or
+/// below 1e-290) is widened to one.
 Box bounds(const FloatComplex& complex);
 /// The box, wider on each side by `fraction` of its longer side.
 Box widened(const Box& box, double fraction);
