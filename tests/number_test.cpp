@@ -219,3 +219,13 @@ TEST_CASE("exact text reads back as the same rational") {
     REQUIRE(parse_decimal(exact_text(value)) == value);
   }
 }
+
+TEST_CASE("a square root is near at every size, and 0 only for 0") {
+  using plumbline::nearest_sqrt;
+  CHECK(nearest_sqrt(0) == 0);
+  CHECK(nearest_sqrt(Rational(1, 4)) == 0.5);
+  CHECK(nearest_sqrt(2) == std::sqrt(2.0));
+  CHECK(nearest_sqrt(plumbline::parse_decimal("1e-640")) == 1e-320);
+  CHECK(nearest_sqrt(plumbline::parse_decimal("4e600")) == Approx(2e300).epsilon(1e-15));
+  CHECK(nearest_sqrt(plumbline::parse_decimal("1e-9000")) == 0);
+}

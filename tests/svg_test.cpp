@@ -146,6 +146,21 @@ TEST_CASE("geometry that a style attribute places is rejected") {
   CHECK(segments("<line x2='1' style='fill:none;stroke-width:2;rx:3;;'/>") == "0 0, 1 0\n");
 }
 
+TEST_CASE("what maps the root's user units to a page is listed, and not applied") {
+  const auto set =
+      evaluate(read_svg("<svg transform=\"scale(2)\"><line x2=\"1\" y2=\"1\"/></svg>", "a.svg"));
+  CHECK(segments_of(set) == "0 0, 1 1\n");
+  CHECK(rejected_of(set).find("1:1 svg: transform of the root svg") != std::string::npos);
+}
+
+TEST_CASE("a style sheet that moves or hides is listed, one that colours is not") {
+  const std::string line = "<line x2=\"1\" y2=\"1\"/>";
+  CHECK(rejected("<style>line{transform:scale(2)}</style>" + line).find("style sheets are not") !=
+        std::string::npos);
+  CHECK(rejected("<style>.h{display:none}</style>" + line) != "");
+  CHECK(rejected("<style>line{stroke:red}</style>" + line) == "");
+}
+
 TEST_CASE("a nested svg is moved by x and y; what else it does is rejected") {
   CHECK(listing(read_svg("<svg x='7' viewBox='0 0 1 1'><svg id='s' x='.5' y='2px' width='100%'>"
                          "<line x2='1'/></svg></svg>",
