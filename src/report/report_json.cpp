@@ -48,27 +48,6 @@ void write_summary(JsonWriter& json, const CheckedDrawing& checked) {
   json.EndObject();
 }
 
-void write_place(JsonWriter& json, const Finding& finding) {
-  json.Key("where");
-  if (finding.kind == CellKind::Complex) {
-    json.Null();
-    return;
-  }
-  const PointD rounded = nearest(finding.where);
-  json.StartObject();
-  json.Key("exact");
-  json.StartArray();
-  json.exact(finding.where.x);
-  json.exact(finding.where.y);
-  json.EndArray();
-  json.Key("nearest");
-  json.StartArray();
-  json.number(rounded.x);
-  json.number(rounded.y);
-  json.EndArray();
-  json.EndObject();
-}
-
 void write_finding(JsonWriter& json, const SegmentSet& input, const Finding& finding,
                    std::size_t number) {
   json.StartObject();
@@ -80,7 +59,12 @@ void write_finding(JsonWriter& json, const SegmentSet& input, const Finding& fin
   json.text(to_text(finding.disagreement));
   json.Key("message");
   json.text(finding.message);
-  write_place(json, finding);
+  json.Key("where");
+  if (finding.kind == CellKind::Complex) {
+    json.Null();
+  } else {
+    json.place(finding.where);
+  }
   json.Key("exact_cells");
   json.counts(finding.exact_cells);
   json.Key("float_cells");

@@ -7,21 +7,7 @@ namespace {
 void write_vertices(JsonWriter& json, const ExactComplex& c) {
   json.Key("vertices");
   json.StartArray();
-  for (const Point& p : c.vertices) {
-    const PointD rounded = nearest(p);
-    json.StartObject();
-    json.Key("exact");
-    json.StartArray();
-    json.exact(p.x);
-    json.exact(p.y);
-    json.EndArray();
-    json.Key("nearest");
-    json.StartArray();
-    json.number(rounded.x);
-    json.number(rounded.y);
-    json.EndArray();
-    json.EndObject();
-  }
+  for (const Point& p : c.vertices) json.place(p);
   json.EndArray();
 }
 
@@ -70,16 +56,12 @@ void write_face(JsonWriter& json, const ExactComplex& c, FaceId f, const Rationa
   json.Key("depth");
   json.count(c.face_depth[f]);
   if (f != kUnbounded) {
-    const Point inside = interior_point(c, f);
     json.Key("parent");
     json.count(c.parent(f));
     json.Key("area");
     json.exact(area);
     json.Key("interior_point");
-    json.StartArray();
-    json.exact(inside.x);
-    json.exact(inside.y);
-    json.EndArray();
+    json.point(interior_point(c, f));
   }
   json.EndObject();
 }

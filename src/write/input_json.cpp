@@ -18,13 +18,6 @@ void write_source_members(JsonWriter& json, const Source& source) {
   json.text(source.path);
 }
 
-void write_point(JsonWriter& json, const Point& p) {
-  json.StartArray();
-  json.exact(p.x);
-  json.exact(p.y);
-  json.EndArray();
-}
-
 }  // namespace
 
 void write_input(JsonWriter& json, const SegmentSet& input) {
@@ -47,9 +40,9 @@ void write_input(JsonWriter& json, const SegmentSet& input) {
     json.Key("source");
     json.count(input.segment_source[s]);
     json.Key("from");
-    write_point(json, input.segments[s].a);
+    json.point(input.segments[s].a);
     json.Key("to");
-    write_point(json, input.segments[s].b);
+    json.point(input.segments[s].b);
     json.EndObject();
   }
   json.EndArray();

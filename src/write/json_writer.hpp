@@ -36,6 +36,26 @@ class JsonWriter : public rapidjson::PrettyWriter<rapidjson::StringBuffer> {
   void count(std::size_t value) { Uint64(value); }
   /// A string: a decimal or "p/q".
   void exact(const Rational& value) { text(exact_text(value)); }
+  /// [x, y], exact.
+  void point(const Point& p) {
+    StartArray();
+    exact(p.x);
+    exact(p.y);
+    EndArray();
+  }
+  /// {exact: [x, y], nearest: [x, y]}.
+  void place(const Point& p) {
+    const PointD rounded = nearest(p);
+    StartObject();
+    Key("exact");
+    point(p);
+    Key("nearest");
+    StartArray();
+    number(rounded.x);
+    number(rounded.y);
+    EndArray();
+    EndObject();
+  }
   /// The array of [count...] of a list of indices.
   template <class Range>
   void counts(const Range& values) {
