@@ -8,7 +8,7 @@
 #include "arrange/bucket/grid_kernel.hpp"
 #include "arrange/bucket/rational_kernel.hpp"
 #include "plumbline/arrange.hpp"
-#include "support/random_segments.hpp"
+#include "random_segments.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
