@@ -9,7 +9,7 @@ int main() {
   cross.add(plumbline::Segment{{0, 2}, {2, 0}}, source);
 
   const plumbline::cgal::Arrangement arrangement = plumbline::cgal::arrangement(cross);
-  const plumbline::ExactComplex complex = plumbline::cgal::to_complex(arrangement);
+  const plumbline::ExactComplex complex = plumbline::cgal::to_complex(arrangement, cross);
   std::cout << arrangement.number_of_vertices() << " vertices, " << arrangement.number_of_edges()
             << " edges, " << arrangement.number_of_faces() << " face\n";
   const bool right = arrangement.number_of_vertices() == 5 && arrangement.number_of_edges() == 4 &&
