@@ -14,12 +14,13 @@ using namespace plumbline;
 
 namespace {
 
-/// Arranges, validates, returns the summary.
+/// Arranges with both engines, validates, returns the summary.
 std::string arranged(const std::string& text) {
   const SegmentSet input = segments(text);
   const ExactComplex complex = arrange(input);
   CHECK(to_text(validate(complex)) == "");
   CHECK(to_text(validate_coverage(complex, input)) == "");
+  CHECK(arrange(input, Engine::Cgal) == complex);
   return summary(complex);
 }
 
@@ -118,9 +119,20 @@ TEST_CASE("equal and reversed segments are one edge with all sources") {
 TEST_CASE("ten thousand copies of a segment are one edge with all sources") {
   std::string text;
   for (int i = 0; i < 10000; ++i) text += i % 2 == 0 ? "0 0 2 1  " : "2 1 0 0  ";
-  const ExactComplex complex = arrange(segments(text));
+  const ExactComplex complex = arrange(segments(text), Engine::Cgal);
   CHECK(complex.edge_count() == 1);
   CHECK(complex.edge_sources[0].size() == 10000);
+  CHECK(arrange(segments(text)) == complex);
+}
+
+TEST_CASE("a thousand overlapping collinear segments are a chain of edges") {
+  std::string text;
+  for (int i = 0; i < 1000; ++i)
+    text += std::to_string(i) + " 0 " + std::to_string(i + 1000) + " 0  ";
+  const SegmentSet input = segments(text);
+  const ExactComplex complex = arrange(input);
+  CHECK(summary(complex) == "V 2000 E 1999 F 1 C 1 antennas 1999");
+  CHECK(to_text(validate_coverage(complex, input)) == "");
 }
 
 TEST_CASE("two overlapping strokes of a wall divide a square in two") {
@@ -184,6 +196,7 @@ TEST_CASE(
   const ExactComplex complex = arrange(input);
   REQUIRE(to_text(validate(complex)) == "");
   REQUIRE(to_text(validate_coverage(complex, input)) == "");
+  REQUIRE(arrange(input, Engine::Cgal) == complex);
   std::mt19937 random(seed);
 
   SegmentSet shuffled = input;

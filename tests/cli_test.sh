@@ -79,7 +79,7 @@ expect "agreement is exit code 0" 0 '^agree' "$plumbline" check "$examples/hospi
 expect "disagreement is exit code 1" 1 '^disagree' "$plumbline" check "$examples/office-plan.svg" -o a.json --picture a.svg
 expect "the drawing's exact counts are shown" 1 'vertices +370 .*edges +475 .*faces +108 ' "$plumbline" check "$examples/office-plan.svg"
 expect "info names overlaps and antennas" 0 '3 pairs of different segments.*100 antennas' "$plumbline" info "$examples/office-plan.svg"
-expect "both engines agree on a drawing" 0 '370 vertices' "$plumbline" arrange "$examples/office-plan.svg" --engine bucket --verify
+expect "both engines agree on a drawing" 0 '370 vertices' "$plumbline" arrange "$examples/office-plan.svg" --engine cgal --verify
 expect "an unknown engine is a usage error" 2 'engine' "$plumbline" info "$examples/dwelling.svg" --engine fast
 printf '0,0,4,0\n4,0,4,4\n4,4,0,0\n' >c.lines
 expect "lines files are drawings" 0 '3 vertices, 3 edges .0 antennas., 2 faces' "$plumbline" arrange c.lines

@@ -35,7 +35,8 @@ struct Row {
 Row row(const fs::path& file, const std::string& name) {
   const SegmentSet input = evaluate(read(file));
   const ExactComplex complex = arrange(input);
-  const bool valid = validate(complex).empty() && validate_coverage(complex, input).empty();
+  const bool valid = validate(complex).empty() && validate_coverage(complex, input).empty() &&
+                     arrange(input, Engine::Cgal) == complex;
   const Counts c = counts(complex, complex.vertices.size());
   const double radius = lar::arrange(input).trace.radius;
   return {

@@ -21,6 +21,6 @@ enum class Engine {
 /// With Engine::Cgal, overlaps of k collinear segments in one place cost O(k^3); equal segments
 /// count once.
 /// Throws: Error Limit for a coordinate beyond kMaxCoordinateBits (`SegmentSet::add` refuses it).
-ExactComplex arrange(const SegmentSet& input, Engine engine = Engine::Cgal);
+ExactComplex arrange(const SegmentSet& input, Engine engine = Engine::Bucket);
 
 }  // namespace plumbline

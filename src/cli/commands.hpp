@@ -13,7 +13,7 @@ enum ExitCode { kAgree = 0, kDisagree = 1, kBadInput = 2, kInternal = 3 };
 /// What every command reads, and how it is arranged.
 struct DrawingArguments {
   std::string file;
-  Engine engine = Engine::Cgal;
+  Engine engine = Engine::Bucket;
   bool verify = false;  ///< arrange with both engines and compare
 };
 

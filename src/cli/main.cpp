@@ -31,7 +31,7 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
           [&](const std::string& engine) {
             arguments.engine = engine == "cgal" ? Engine::Cgal : Engine::Bucket;
           },
-          "Arrange with cgal (the reference) or bucket (faster)")
+          "Arrange with bucket (the default) or cgal (the reference, slower)")
       ->check(CLI::IsMember({"cgal", "bucket"}))
       ->type_name("ENGINE");
   command->add_flag("--verify", arguments.verify, "Arrange with both engines and compare");
