@@ -9,7 +9,7 @@ enum class Engine {
   Cgal,    ///< the reference: CGAL::Arrangement_2 over the exact-constructions kernel, aggregated
            ///< insertion (Wein, Berberich, Fogel, Halperin, Hemmer, Salzman, Zukerman: CGAL manual)
   Bucket,  ///< our own: LAR's independent buckets (inters, 2.1) with exact predicates and implicit
-           ///< vertices; several times faster
+           ///< vertices; faster
 };
 
 /// The arrangement of the segments and isolated points: the subdivision of the plane that they
