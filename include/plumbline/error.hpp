@@ -23,6 +23,7 @@ enum class ErrorCode {
   BadInput,  ///< the content of a file or an argument cannot be used
   BadFile,   ///< a file cannot be opened, read or written
   Limit,     ///< a stated limit is exceeded
+  Cancelled,  ///< a progress callback asked to stop
   Internal,  ///< a promise of this library is broken: please report it
 };
 

@@ -13,23 +13,27 @@ constexpr std::size_t kFull = 24;
 constexpr double kProgress = 1.5;
 constexpr int kDeepest = 60;
 
-/// The x coordinates that a line takes at heights within [low, high], widened by the margin.
-std::pair<double, double> x_range(const Approx& l, double low, double high, double margin) {
-  const double dy = l.by - l.ay;
-  double x0 = l.ax, x1 = l.bx;
-  if (dy != 0) {
-    const double slope = (l.bx - l.ax) / dy;
-    const double bottom = std::min(l.ay, l.by), top = std::max(l.ay, l.by);
-    const auto at = [&](double y) { return l.ax + (std::clamp(y, bottom, top) - l.ay) * slope; };
-    x0 = at(low - margin);
-    x1 = at(high + margin);
+/// The x coordinates that a line takes at heights within a range, widened by the margin.
+class Band {
+ public:
+  Band(const Approx& l, double margin)
+      : l_(l), margin_(margin), bottom_(std::min(l.ay, l.by)), top_(std::max(l.ay, l.by)),
+        slope_((l.bx - l.ax) / (l.by - l.ay)) {}
+
+  std::pair<double, double> between(double low, double high) const {
+    if (!(bottom_ < top_)) return {l_.ax - margin_, l_.bx + margin_};
+    double x0 = at(low - margin_), x1 = at(high + margin_);
     if (x1 < x0) std::swap(x0, x1);
     // A steep slope magnifies rounding; the line has no other x.
-    x0 = std::clamp(x0, l.ax, l.bx);
-    x1 = std::clamp(x1, l.ax, l.bx);
+    return {std::clamp(x0, l_.ax, l_.bx) - margin_, std::clamp(x1, l_.ax, l_.bx) + margin_};
   }
-  return {x0 - margin, x1 + margin};
-}
+
+ private:
+  double at(double y) const { return l_.ax + (std::clamp(y, bottom_, top_) - l_.ay) * slope_; }
+
+  const Approx& l_;
+  double margin_, bottom_, top_, slope_;
+};
 
 Approx transposed(const Approx& l) {
   return l.ay <= l.by ? Approx{l.ay, l.ax, l.by, l.bx} : Approx{l.by, l.bx, l.ay, l.ax};
@@ -37,23 +41,18 @@ Approx transposed(const Approx& l) {
 
 }  // namespace
 
-std::size_t Buckets::column(double x) const {
-  const double c = (x - extent_.x0) / column_width_;
-  return c <= 0 ? 0 : std::min(static_cast<std::size_t>(c), columns_ - 1);
-}
-
-std::size_t Buckets::row(double y) const {
-  const double r = (y - extent_.y0) / row_height_;
-  return r <= 0 ? 0 : std::min(static_cast<std::size_t>(r), rows_ - 1);
-}
-
-std::size_t Buckets::bucket_at(double x, double y) const {
-  std::uint32_t node = cells_[row(y) * columns_ + column(x)];
+std::size_t Buckets::part_at(std::uint32_t node, double x, double y) const {
   while (nodes_[node].kind != Node::Leaf) {
     const double c = nodes_[node].kind == Node::SplitX ? x : y;
     node = nodes_[node].low + (c < nodes_[node].at ? 0 : 1);
   }
   return nodes_[node].low;
+}
+
+Box Buckets::cell_box(std::size_t cell) const {
+  const double x = extent_.x0 + static_cast<double>(cell % columns_) * column_width_;
+  const double y = extent_.y0 + static_cast<double>(cell / columns_) * row_height_;
+  return {x, y, x + column_width_, y + row_height_};
 }
 
 /// About one cell a line, square, and not much smaller than a line is long.
@@ -78,71 +77,73 @@ void Buckets::choose_grid(std::span<const Approx> lines) {
   rows_ = static_cast<std::size_t>(std::max(1.0, std::ceil(height / side)));
   column_width_ = width > 0 ? width / static_cast<double>(columns_) : 1;
   row_height_ = height > 0 ? height / static_cast<double>(rows_) : 1;
+  per_width_ = 1 / column_width_;
+  per_height_ = 1 / row_height_;
 }
 
 template <class Visit>
 void Buckets::for_cells(const Approx& line, Visit visit) const {
   const auto [bottom, top] = std::minmax(line.ay, line.by);
   const std::size_t first = row(bottom - margin_), last = row(top + margin_);
+  const Band band(line, margin_);
   for (std::size_t r = first; r <= last; ++r) {
     const double low = extent_.y0 + static_cast<double>(r) * row_height_;
     const auto [x0, x1] = first == last ? std::pair(line.ax - margin_, line.bx + margin_)
-                                        : x_range(line, low, low + row_height_, margin_);
+                                        : band.between(low, low + row_height_);
     const std::size_t end = column(x1);
     for (std::size_t c = column(x0); c <= end; ++c) visit(r * columns_ + c);
   }
 }
 
-Buckets::Buckets(std::span<const Approx> lines, double margin) : margin_(margin) {
+Buckets::Buckets(std::span<const Approx> lines, double margin, Job& job) : margin_(margin) {
   choose_grid(lines);
+  fill(lines, job);
+  split_full_cells(lines, job);
+}
+
+void Buckets::fill(std::span<const Approx> lines, Job& job) {
+  constexpr std::size_t kBlock = 1024;
   const std::size_t count = columns_ * rows_;
-  std::vector<std::uint32_t> begin(count + 1, 0);
-  for (const Approx& line : lines) for_cells(line, [&](std::size_t c) { ++begin[c + 1]; });
-  for (std::size_t c = 0; c < count; ++c) begin[c + 1] += begin[c];
-  std::vector<LineId> members(begin[count]);
+  std::vector<std::uint32_t>& begin = members_.begin;
+  begin.assign(count, 0);
+  job.for_each(lines.size(), [&](std::size_t s) {
+    for_cells(lines[s], [&](std::size_t c) { job.increment(begin[c]); });
+  });
+  accumulate(begin);
+  members_.items.resize(begin[count]);
   std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
-  for (std::size_t s = 0; s < lines.size(); ++s) {
-    for_cells(lines[s], [&](std::size_t c) { members[end[c]++] = static_cast<LineId>(s); });
-  }
-  cells_.resize(count);
-  nodes_.resize(count);
-  for (std::size_t c = 0; c < count; ++c) {
-    cells_[c] = static_cast<std::uint32_t>(c);
-    const std::size_t column = c % columns_, row = c / columns_;
-    const double x = extent_.x0 + static_cast<double>(column) * column_width_;
-    const double y = extent_.y0 + static_cast<double>(row) * row_height_;
-    const Box box{x, y, x + column_width_, y + row_height_};
-    const std::span<const LineId> here(members.data() + begin[c], begin[c + 1] - begin[c]);
-    if (here.size() <= kFull) {
-      nodes_[c] = {0, static_cast<std::uint32_t>(boxes_.size()), Node::Leaf};
-      add_bucket(box, here);
-    } else {
-      refine(static_cast<std::uint32_t>(c), box, {here.begin(), here.end()}, lines, 0);
+  job.for_each(lines.size(), [&](std::size_t s) {
+    for_cells(lines[s], [&](std::size_t c) {
+      members_.items[job.increment(end[c])] = static_cast<LineId>(s);
+    });
+  });
+  if (!job.is_parallel()) return;
+  job.for_blocks(count, kBlock, [&](std::size_t from, std::size_t to) {
+    for (std::size_t c = from; c < to; ++c) {
+      std::sort(members_.items.begin() + begin[c], members_.items.begin() + begin[c + 1]);
     }
-  }
+  });
 }
 
-void Buckets::add_bucket(const Box& box, std::span<const LineId> lines) {
-  boxes_.push_back(box);
-  lines_.insert(lines_.end(), lines.begin(), lines.end());
-  begin_.push_back(static_cast<std::uint32_t>(lines_.size()));
-}
-
-namespace {
-
+/// The lines of a node on both sides of a coordinate.
 struct Split {
+  bool useful = false, along_x = true;
   double at = 0;
   std::vector<LineId> low, high;
   std::size_t size() const { return low.size() + high.size(); }
 };
 
+namespace {
+
 /// Splits along x at the centroid of the parts of the lines inside the box.
 template <class Line>
-Split split(const Box& box, const std::vector<LineId>& members, double margin, Line line) {
+Split split_along_x(const Box& box, const std::vector<LineId>& members, double margin, Line line) {
   std::vector<std::pair<double, double>> ranges;
+  ranges.reserve(members.size());
   Split result;
   for (const LineId s : members) {
-    ranges.push_back(x_range(line(s), box.y0, box.y1, margin));
+    const Approx l = line(s);
+    ranges.push_back(Band(l, margin).between(box.y0, box.y1));
     const auto [x0, x1] = ranges.back();
     result.at += (std::clamp(x0, box.x0, box.x1) + std::clamp(x1, box.x0, box.x1)) / 2;
   }
@@ -154,38 +155,63 @@ Split split(const Box& box, const std::vector<LineId>& members, double margin, L
   return result;
 }
 
+Split split(const Box& box, const std::vector<LineId>& members, std::span<const Approx> lines,
+            double margin) {
+  if (members.size() <= kFull) return {};
+  Split best = split_along_x(box, members, margin, [&](LineId s) { return lines[s]; });
+  const Box turned{box.y0, box.x0, box.y1, box.x1};
+  Split other =
+      split_along_x(turned, members, margin, [&](LineId s) { return transposed(lines[s]); });
+  if (other.size() < best.size()) {
+    best = std::move(other);
+    best.along_x = false;
+  }
+  const double low = best.along_x ? box.x0 : box.y0, high = best.along_x ? box.x1 : box.y1;
+  best.useful = low < best.at && best.at < high &&
+                static_cast<double>(best.size()) < kProgress * static_cast<double>(members.size());
+  return best;
+}
+
 }  // namespace
 
-void Buckets::refine(std::uint32_t node, const Box& box, std::vector<LineId> members,
-                     std::span<const Approx> lines, int depth) {
-  Split best;
-  bool along_x = true, useful = false;
-  if (members.size() > kFull && depth < kDeepest) {
-    best = split(box, members, margin_, [&](LineId s) { return lines[s]; });
-    const Box turned{box.y0, box.x0, box.y1, box.x1};
-    Split other = split(turned, members, margin_, [&](LineId s) { return transposed(lines[s]); });
-    if (other.size() < best.size()) {
-      best = std::move(other);
-      along_x = false;
-    }
-    const double low = along_x ? box.x0 : box.y0, high = along_x ? box.x1 : box.y1;
-    useful = low < best.at && best.at < high &&
-             static_cast<double>(best.size()) < kProgress * static_cast<double>(members.size());
+/// Level by level, so that the nodes of a level are split in parallel and numbered in order.
+void Buckets::split_full_cells(std::span<const Approx> lines, Job& job) {
+  const std::size_t cells = members_.size();
+  cell_node_.assign(cells, kNone);
+  std::vector<Open> level, next;
+  for (std::size_t c = 0; c < cells; ++c) {
+    const std::span<const LineId> here = members_[c];
+    if (here.size() <= kFull) continue;
+    cell_node_[c] = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back({});
+    level.push_back({cell_node_[c], cell_box(c), {here.begin(), here.end()}});
   }
-  if (!useful) {
-    nodes_[node] = {0, static_cast<std::uint32_t>(boxes_.size()), Node::Leaf};
-    add_bucket(box, members);
+  for (int depth = 0; !level.empty(); ++depth) {
+    std::vector<Split> splits(level.size());
+    job.for_blocks(level.size(), 1, [&](std::size_t i, std::size_t) {
+      if (depth < kDeepest) splits[i] = split(level[i].box, level[i].members, lines, margin_);
+    });
+    for (std::size_t i = 0; i < level.size(); ++i) settle(level[i], splits[i], next);
+    level = std::exchange(next, {});
+  }
+}
+
+void Buckets::settle(Open& open, Split& split, std::vector<Open>& next) {
+  if (!split.useful) {
+    nodes_[open.node] = {0, static_cast<std::uint32_t>(size()), Node::Leaf};
+    part_boxes_.push_back(open.box);
+    parts_.items.insert(parts_.items.end(), open.members.begin(), open.members.end());
+    parts_.begin.push_back(static_cast<std::uint32_t>(parts_.items.size()));
     return;
   }
-  members = {};
   const auto child = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[node] = {best.at, child, along_x ? Node::SplitX : Node::SplitY};
+  nodes_[open.node] = {split.at, child, split.along_x ? Node::SplitX : Node::SplitY};
   nodes_.resize(nodes_.size() + 2);
-  Box low = box, high = box;
-  (along_x ? low.x1 : low.y1) = best.at;
-  (along_x ? high.x0 : high.y0) = best.at;
-  refine(child, low, std::move(best.low), lines, depth + 1);
-  refine(child + 1, high, std::move(best.high), lines, depth + 1);
+  Box low = open.box, high = open.box;
+  (split.along_x ? low.x1 : low.y1) = split.at;
+  (split.along_x ? high.x0 : high.y0) = split.at;
+  next.push_back({child, low, std::move(split.low)});
+  next.push_back({child + 1, high, std::move(split.high)});
 }
 
 }  // namespace plumbline::bucket

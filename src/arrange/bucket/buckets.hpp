@@ -1,32 +1,41 @@
 #pragma once
 
+// Step 3: the plane divided into buckets.
+
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "arrange/bucket/job.hpp"
+#include "arrange/bucket/lines.hpp"
 #include "arrange/bucket/types.hpp"
 
 namespace plumbline::bucket {
 
-struct Box {
-  double x0, y0, x1, y1;
-};
+struct Split;
 
 /// The plane divided into boxes ("buckets"), each with the lines that cross it: a uniform grid
 /// whose full cells are split further, alternately at the centroid (the idea of LAR's buckets:
 /// inters, 2.1). Every point belongs to one bucket. A bucket lists each line that comes within
 /// `margin` of it, so a point that is known only to within the margin still finds all its lines in
-/// its bucket.
+/// its bucket. Buckets below the number of cells are cells; from there on they are parts of cells.
 class Buckets {
  public:
-  Buckets(std::span<const Approx> lines, double margin);
+  Buckets(std::span<const Approx> lines, double margin, Job& job);
 
-  std::size_t size() const { return boxes_.size(); }
-  const Box& box(std::size_t bucket) const { return boxes_[bucket]; }
-  std::span<const LineId> lines(std::size_t bucket) const {
-    return {lines_.data() + begin_[bucket], begin_[bucket + 1] - begin_[bucket]};
+  std::size_t size() const { return cell_node_.size() + parts_.size(); }
+  Box box(std::size_t bucket) const {
+    return bucket < cell_node_.size() ? cell_box(bucket) : part_boxes_[bucket - cell_node_.size()];
   }
-  std::size_t bucket_at(double x, double y) const;
+  /// Ascending. Empty for a cell that is split.
+  std::span<const LineId> lines(std::size_t bucket) const {
+    if (bucket >= cell_node_.size()) return parts_[bucket - cell_node_.size()];
+    return cell_node_[bucket] == kNone ? members_[bucket] : std::span<const LineId>();
+  }
+  std::size_t bucket_at(double x, double y) const {
+    const std::size_t cell = row(y) * columns_ + column(x);
+    return cell_node_[cell] == kNone ? cell : part_at(cell_node_[cell], x, y);
+  }
   double margin() const { return margin_; }
 
   /// Calls visit(bucket) for the buckets that the vertical line through (x, y) meets, from y
@@ -35,17 +44,26 @@ class Buckets {
   void down(double x, double y, Visit visit) const {
     const std::size_t c = column(x);
     for (std::size_t r = row(y) + 1; r-- > 0;) {
-      if (!down(cells_[r * columns_ + c], x, y, visit)) return;
+      const std::size_t cell = r * columns_ + c;
+      if (cell_node_[cell] == kNone ? !visit(cell) : !down(cell_node_[cell], x, y, visit)) return;
     }
   }
 
  private:
-  /// A cell or part of one: a bucket, or (if `split`) a pair of nodes below and above `at`.
+  /// A cell or part of one: a bucket, or (if split) a pair of nodes below and above `at`.
   struct Node {
     double at;
     std::uint32_t low;  ///< the bucket, or the node below; the node above is low + 1
     enum Kind : std::uint32_t { Leaf, SplitX, SplitY } kind;
   };
+  /// A node still to be split or made a bucket.
+  struct Open {
+    std::uint32_t node;
+    Box box;
+    std::vector<LineId> members;
+  };
+
+  std::size_t part_at(std::uint32_t node, double x, double y) const;
   template <class Visit>
   bool down(std::uint32_t node, double x, double y, Visit& visit) const {
     const Node& n = nodes_[node];
@@ -54,24 +72,28 @@ class Buckets {
     return (y < n.at || down(n.low + 1, x, y, visit)) && down(n.low, x, y, visit);
   }
 
-  std::size_t column(double x) const;
-  std::size_t row(double y) const;
+  std::size_t column(double x) const { return index((x - extent_.x0) * per_width_, columns_); }
+  std::size_t row(double y) const { return index((y - extent_.y0) * per_height_, rows_); }
+  static std::size_t index(double v, std::size_t count) {
+    return v <= 0 ? 0 : std::min(static_cast<std::size_t>(v), count - 1);
+  }
+  Box cell_box(std::size_t cell) const;
   void choose_grid(std::span<const Approx> lines);
   template <class Visit>
   void for_cells(const Approx& line, Visit visit) const;
-  void add_bucket(const Box& box, std::span<const LineId> lines);
-  void refine(std::uint32_t node, const Box& box, std::vector<LineId> members,
-              std::span<const Approx> lines, int depth);
+  void fill(std::span<const Approx> lines, Job& job);
+  void split_full_cells(std::span<const Approx> lines, Job& job);
+  void settle(Open& open, Split& split, std::vector<Open>& next);
 
   double margin_;
   Box extent_{0, 0, 1, 1};
   std::size_t columns_ = 1, rows_ = 1;
-  double column_width_ = 1, row_height_ = 1;
-  std::vector<std::uint32_t> cells_;  ///< per cell its node
+  double column_width_ = 1, row_height_ = 1, per_width_ = 1, per_height_ = 1;
+  Grouped<LineId> members_;               ///< per cell
+  std::vector<std::uint32_t> cell_node_;  ///< per cell its node, if it is split
   std::vector<Node> nodes_;
-  std::vector<Box> boxes_;
-  std::vector<std::uint32_t> begin_{0};
-  std::vector<LineId> lines_;
+  Grouped<LineId> parts_;
+  std::vector<Box> part_boxes_;
 };
 
 }  // namespace plumbline::bucket

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "arrange/bucket/prime_field.hpp"
+
 namespace plumbline::bucket {
 namespace {
 
@@ -30,52 +32,72 @@ long exponent_of(const Rational& value) {
 /// of their difference, which is below 2; and what underflow adds.
 constexpr double kDifferenceError = 4.01 * kRounding;
 
+/// The residue of a rational in lowest terms modulo the prime; kNoResidue if it has none.
+std::uint64_t residue(const Rational& value) {
+  namespace field = prime_field;
+  const std::uint64_t d = mpz_fdiv_ui(value.get_den_mpz_t(), field::kPrime);
+  if (d == 0) return field::kNoResidue;
+  return field::multiply(mpz_fdiv_ui(value.get_num_mpz_t(), field::kPrime), field::inverse(d));
+}
+
 }  // namespace
 
-RationalKernel RationalKernel::from(const SegmentSet& input) {
-  RationalKernel kernel;
-  const auto add = [&](const Point& a, const Point& b) {
-    kernel.lines_.push_back({a.x, a.y, b.x, b.y});
-  };
-  for (const Segment& s : input.segments) {
-    if (s.a < s.b) {
-      add(s.a, s.b);
-    } else {
-      add(s.b, s.a);
-    }
-  }
-  for (const Point& p : input.points) add(p, p);
-
+RationalKernel::RationalKernel(const SegmentSet& input, Job& job)
+    : lines_(input.segments.size() + input.points.size()), approx_(lines_.size()) {
+  const std::size_t segments = input.segments.size();
+  job.for_each(lines_.size(), [&](std::size_t i) {
+    const Point& p = i < segments ? input.segments[i].a : input.points[i - segments];
+    const Point& q = i < segments ? input.segments[i].b : p;
+    const Point &a = q < p ? q : p, &b = q < p ? p : q;
+    lines_[i] = {a.x, a.y, b.x, b.y};
+  });
   bool first = true;
-  for (const Coordinates& line : kernel.lines_) {
+  for (const Coordinates& line : lines_) {
     for (const Rational& c : line) {
       if (sgn(c) == 0) continue;
-      kernel.exponent_ = first ? exponent_of(c) : std::max(kernel.exponent_, exponent_of(c));
+      exponent_ = first ? exponent_of(c) : std::max(exponent_, exponent_of(c));
       first = false;
     }
   }
-  for (const Coordinates& line : kernel.lines_) {
-    const auto approx = [&](std::size_t i) {
-      return nearest_double(scaled(line[i], kernel.exponent_));
-    };
-    kernel.approx_.push_back({approx(0), approx(1), approx(2), approx(3)});
-  }
-  return kernel;
+  job.for_each(lines_.size(), [&](std::size_t i) { approx_[i] = rounded(lines_[i]); });
 }
 
-double RationalKernel::magnitude(const Rational& cross) const {
-  return std::abs(nearest_double(scaled(cross, 2 * exponent_)));
+Approx RationalKernel::rounded(const Coordinates& line) const {
+  const auto approx = [&](std::size_t i) { return nearest_double(scaled(line[i], exponent_)); };
+  return {approx(0), approx(1), approx(2), approx(3)};
 }
 
-void RationalKernel::reorder(const std::vector<LineId>& order) {
-  std::vector<Coordinates> lines;
-  std::vector<Approx> approx;
-  for (const LineId s : order) {
-    lines.push_back(std::move(lines_[s]));
-    approx.push_back(approx_[s]);
-  }
+LineId RationalKernel::join(EndId a, EndId b) {
+  lines_.push_back({x(a), y(a), x(b), y(b)});
+  approx_.push_back(rounded(lines_.back()));
+  return static_cast<LineId>(lines_.size() - 1);
+}
+
+void RationalKernel::reorder(const std::vector<LineId>& order, Job& job) {
+  std::vector<Coordinates> lines(order.size());
+  std::vector<Approx> approx(order.size());
+  job.for_each(order.size(), [&](std::size_t i) {
+    lines[i].swap(lines_[order[i]]);
+    approx[i] = approx_[order[i]];
+  });
   lines_ = std::move(lines);
   approx_ = std::move(approx);
+}
+
+void RationalKernel::keys(std::size_t begin, std::size_t end, std::uint64_t* key) const {
+  namespace field = prime_field;
+  for (std::size_t s = begin; s < end; ++s) {
+    const Coordinates& c = lines_[s];
+    std::uint64_t& k = key[s - begin];
+    if (c[0] != c[2]) {
+      const Rational slope = (c[3] - c[1]) / (c[2] - c[0]), height = c[1] - slope * c[0];
+      k = field::key(residue(slope), residue(height));
+    } else if (c[1] != c[3]) {
+      k = field::key(field::kVertical, residue(c[0]));
+    } else {
+      k = field::key(field::kPoint, field::key(residue(c[0]), residue(c[1])));
+    }
+  }
 }
 
 // value = dx ey - dy ex with differences known to within e. The exact differences lead to a value
@@ -106,13 +128,22 @@ int RationalKernel::compare_directions(LineId s, LineId o) const {
   return cmp(left, right);
 }
 
-Rational RationalKernel::parameter(LineId s, LineId o) const {
+// The two orientations have a relative error of kRelativeError each.
+double RationalKernel::parameter(LineId s, LineId o) const {
+  const Filtered a = filtered(o, first_end(s)), b = filtered(o, last_end(s));
+  if (a.error < std::abs(a.value) * kRelativeError && b.error < std::abs(b.value) * kRelativeError) {
+    return std::abs(a.value) / (std::abs(a.value) + std::abs(b.value));
+  }
+  return nearest_double(exact_parameter(s, o));
+}
+
+Rational RationalKernel::exact_parameter(LineId s, LineId o) const {
   const Rational from = cross(o, first_end(s)), to = cross(o, last_end(s));
   return from / (from - to);
 }
 
 int RationalKernel::compare_along(LineId s, LineId o, LineId q) const {
-  return cmp(parameter(s, o), parameter(s, q));
+  return cmp(exact_parameter(s, o), exact_parameter(s, q));
 }
 
 int RationalKernel::side_of_crossing(LineId c, LineId s, LineId o) const {
@@ -138,7 +169,7 @@ int RationalKernel::compare_heights(LineId s, LineId o, EndId end) const {
 
 Point RationalKernel::crossing(LineId s, LineId o) const {
   const Coordinates& c = lines_[s];
-  const Rational t = parameter(s, o);
+  const Rational t = exact_parameter(s, o);
   return {c[0] + t * (c[2] - c[0]), c[1] + t * (c[3] - c[1])};
 }
 

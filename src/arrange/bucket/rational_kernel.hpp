@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "arrange/bucket/job.hpp"
 #include "arrange/bucket/types.hpp"
 
 namespace plumbline::bucket {
@@ -16,24 +17,29 @@ class RationalKernel {
   /// The filter accepts an orientation only if its error bound is below this part of it.
   static constexpr double kRelativeError = 0x1p-30;
 
-  static RationalKernel from(const SegmentSet& input);
+  RationalKernel(const SegmentSet& input, Job& job);
 
   std::size_t size() const { return lines_.size(); }
-  void reorder(const std::vector<LineId>& order);
-  bool equal(LineId s, LineId o) const { return lines_[s] == lines_[o]; }
-  bool less(LineId s, LineId o) const { return lines_[s] < lines_[o]; }
+  LineId join(EndId a, EndId b);
+  void reorder(const std::vector<LineId>& order, Job& job);
+  bool is_point(LineId s) const {
+    return lines_[s][0] == lines_[s][2] && lines_[s][1] == lines_[s][3];
+  }
+  void keys(std::size_t begin, std::size_t end, std::uint64_t* key) const;
   /// Coordinates divided by a power of two that takes the largest of them into [1/2, 1).
   Approx approx(LineId s) const { return approx_[s]; }
 
-  Value orientation(LineId s, EndId end) const {
-    const Filtered f = filtered(s, end);
-    if (f.error < std::abs(f.value) * kRelativeError)
-      return {f.value > 0 ? 1 : -1, std::abs(f.value)};
-    const Rational v = cross(s, end);
-    return {sgn(v), magnitude(v)};
+  Relation relate(LineId s, LineId o) const {
+    Relation r{side(s, first_end(o)), side(s, last_end(o)), side(o, first_end(s)),
+               side(o, last_end(s))};
+    if (r.cross()) {
+      r.at_s = parameter(s, o);
+      r.at_o = parameter(o, s);
+    }
+    return r;
   }
-  /// The parameter along s of its crossing with o, correctly rounded.
-  double rounded_parameter(LineId s, LineId o) const { return nearest_double(parameter(s, o)); }
+  /// The parameter along s of its crossing with o, with an error of a few times kRelativeError.
+  double parameter(LineId s, LineId o) const;
   int side(LineId s, EndId end) const {
     const Filtered f = filtered(s, end);
     if (f.error < std::abs(f.value)) return f.value > 0 ? 1 : -1;
@@ -62,12 +68,11 @@ class RationalKernel {
   };
   const Rational& x(EndId end) const { return lines_[line_of(end)][is_last(end) ? 2 : 0]; }
   const Rational& y(EndId end) const { return lines_[line_of(end)][is_last(end) ? 3 : 1]; }
+  Approx rounded(const Coordinates& line) const;
   Filtered filtered(LineId s, EndId end) const;
-  /// Rounded absolute value of a cross product, in the units of `filtered`.
-  double magnitude(const Rational& cross) const;
   Rational cross(LineId s, EndId end) const;
   Rational height(LineId s, EndId end) const;
-  Rational parameter(LineId s, LineId o) const;
+  Rational exact_parameter(LineId s, LineId o) const;
 
   std::vector<Coordinates> lines_;
   std::vector<Approx> approx_;

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "plumbline/complex.hpp"
 
 namespace plumbline::bucket {
 
-/// A distinct input segment: oriented from its lexicographically first end a to b, numbered along a
-/// space-filling curve. Several input segments may be the same line.
+/// A line: a segment that shares no more than a point with any other, oriented from its
+/// lexicographically first end a to b. One without length (a == b) is a point.
 using LineId = std::uint32_t;
 
 /// An end of a line: 2 line (a) or 2 line + 1 (b).
@@ -19,31 +20,43 @@ constexpr EndId last_end(LineId line) { return 2 * line + 1; }
 /// Whether an end is the b of its line.
 constexpr bool is_last(EndId end) { return (end & 1U) != 0; }
 
-/// Where lines meet. Below `Meetings::ends` a distinct end point, from there on a crossing.
+/// Where lines meet. Below twice the number of lines an end, from there on a crossing.
 using MeetingId = std::uint32_t;
+
+inline constexpr std::uint32_t kNone = 0xffffffffU;
 
 /// Coordinates of a line rounded to nearest doubles.
 struct Approx {
   double ax, ay, bx, by;
 };
 
-/// An orientation: its exact sign, and its magnitude with a relative error of at most
-/// Kernel::kRelativeError.
-struct Value {
-  int sign;
-  double magnitude;
+/// How two lines s and o lie: the exact signs of the orientations of the ends of o to s (`a`, `b`),
+/// and of those of s to o. If each crosses the interior of the other, the parameters of the crossing
+/// along both (0 at a, 1 at b).
+struct Relation {
+  int a_to_s, b_to_s, a_to_o, b_to_o;
+  double at_s = 0, at_o = 0;
+
+  bool cross() const { return a_to_s * b_to_s < 0 && a_to_o * b_to_o < 0; }
+  /// Whether one of them lies strictly on one side of the other.
+  bool apart() const { return a_to_s * b_to_s > 0 || a_to_o * b_to_o > 0; }
 };
 
-/// Two lines that cross in the interior of both, at these parameters (0 at a, 1 at b).
+/// Two lines that cross in the interior of both; o turns counter-clockwise from s.
 struct Crossing {
   LineId s, o;
-  double at_s, at_o;
 };
 
-/// A meeting on a line, strictly between its ends.
-struct Hit {
-  double at;
-  MeetingId meeting;
+/// A list of lists as one array.
+template <class T>
+struct Grouped {
+  std::vector<std::uint32_t> begin{0};
+  std::vector<T> items;
+
+  std::size_t size() const { return begin.size() - 1; }
+  std::span<const T> operator[](std::size_t i) const {
+    return {items.data() + begin[i], begin[i + 1] - begin[i]};
+  }
 };
 
 }  // namespace plumbline::bucket

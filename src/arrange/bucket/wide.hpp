@@ -1,14 +1,16 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 
 namespace plumbline::bucket {
 
 __extension__ using Int128 = __int128;
 __extension__ using UInt128 = unsigned __int128;
 
-inline int sign(Int128 v) { return (v > 0) - (v < 0); }
+template <class Integer>
+int sign(Integer v) {
+  return (v > 0) - (v < 0);
+}
 
 /// A 256-bit magnitude.
 struct UInt256 {
@@ -31,7 +33,11 @@ inline UInt256 multiply(UInt128 a, UInt128 b) {
           (mid << 64) | static_cast<std::uint64_t>(low)};
 }
 
-/// Sign of a b - c d. **Exact** for every value above -2^127.
+/// Sign of a b - c d. **Exact**; for 128-bit integers every value above -2^127.
+inline int compare_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+  const Int128 left = static_cast<Int128>(a) * b, right = static_cast<Int128>(c) * d;
+  return (left > right) - (left < right);
+}
 inline int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {
   const int left = sign(a) * sign(b), right = sign(c) * sign(d);
   if (left != right) return left < right ? -1 : 1;

@@ -1,0 +1,206 @@
+#pragma once
+
+// Step 5: the meetings of each line, sorted along it; meetings at the same point become one vertex.
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "arrange/bucket/pairs.hpp"
+#include "arrange/bucket/union_find.hpp"
+
+namespace plumbline::bucket {
+
+/// The chain of vertices of each line, from its first end to its last; and of each vertex the least
+/// of its meetings.
+struct Chains {
+  Grouped<std::uint32_t> vertices;  ///< per line
+  std::vector<MeetingId> meeting;   ///< per vertex
+  std::span<const std::uint32_t> operator[](LineId line) const { return vertices[line]; }
+};
+
+/// Decides about meetings on a line. Exact.
+template <class Kernel>
+class Along {
+ public:
+  Along(const Kernel& kernel, const std::vector<Crossing>& crossings)
+      : kernel_(kernel), crossings_(crossings) {}
+
+  bool is_end(MeetingId m) const { return m < 2 * kernel_.size(); }
+  const Crossing& crossing(MeetingId m) const { return crossings_[m - 2 * kernel_.size()]; }
+  /// A line that cuts s in meeting m, a crossing that s goes through.
+  LineId cutter(LineId s, MeetingId m) const {
+    const Crossing& c = crossing(m);
+    if (c.s == s) return c.o;
+    if (c.o == s) return c.s;
+    return kernel_.compare_directions(s, c.s) != 0 ? c.s : c.o;
+  }
+
+  /// Order of two meetings along s.
+  int compare(LineId s, MeetingId m, MeetingId n) const {
+    if (m == n) return 0;
+    if (is_end(m) && is_end(n)) return kernel_.compare(m, n);
+    if (is_end(m)) return compare_end(s, m, n);
+    if (is_end(n)) return -compare_end(s, n, m);
+    return kernel_.compare_along(s, cutter(s, m), cutter(s, n));
+  }
+
+  /// Order of the x coordinates of a meeting on s and an end.
+  int compare_x(LineId s, MeetingId m, EndId e) const {
+    return is_end(m) ? kernel_.compare_x(m, e) : kernel_.compare_x(s, cutter(s, m), e);
+  }
+
+ private:
+  /// An end on s comes before a crossing if it lies on the side of the cutting line where s begins.
+  int compare_end(LineId s, EndId end, MeetingId n) const {
+    const LineId o = cutter(s, n);
+    const int of_end = kernel_.side(o, end);
+    if (of_end == 0) return 0;
+    return of_end == kernel_.side(o, first_end(s)) ? -1 : 1;
+  }
+
+  const Kernel& kernel_;
+  const std::vector<Crossing>& crossings_;
+};
+
+/// A meeting on a line, strictly between its ends.
+struct Hit {
+  double at;
+  MeetingId meeting;
+};
+
+/// The crossings of all blocks.
+inline std::vector<Crossing> gather_crossings(const std::vector<Meetings>& found, Job& job) {
+  std::vector<std::size_t> begin;
+  for (const Meetings& block : found) begin.push_back(block.crossings.size());
+  accumulate(begin);
+  std::vector<Crossing> crossings(begin.back());
+  job.for_blocks(found.size(), 1, [&](std::size_t b, std::size_t) {
+    for (std::size_t k = 0; k < found[b].crossings.size(); ++k) {
+      crossings[begin[b] + k] = found[b].crossings[k].lines;
+    }
+  });
+  return crossings;
+}
+
+/// Calls visit(line, at, meeting) for each hit found in a block whose first crossing is meeting
+/// `first`.
+template <class Visit>
+void for_hits(const Meetings& found, MeetingId first, Visit visit) {
+  for (std::size_t k = 0; k < found.crossings.size(); ++k) {
+    const CrossingAt& c = found.crossings[k];
+    visit(c.lines.s, c.at_s, first + static_cast<MeetingId>(k));
+    visit(c.lines.o, c.at_o, first + static_cast<MeetingId>(k));
+  }
+  for (const Touch& t : found.touches) visit(t.line, t.at, t.end);
+  for (const Through& t : found.throughs) visit(t.line, t.at, first + t.crossing);
+}
+
+/// The hits of each line, unsorted.
+inline Grouped<Hit> collect_hits(std::size_t line_count, const std::vector<Meetings>& found,
+                                 Job& job) {
+  std::vector<MeetingId> first;
+  for (const Meetings& block : found) first.push_back(static_cast<MeetingId>(block.crossings.size()));
+  accumulate(first);
+  for (MeetingId& m : first) m += static_cast<MeetingId>(2 * line_count);
+  Grouped<Hit> hits;
+  hits.begin.assign(line_count, 0);
+  job.for_blocks(found.size(), 1, [&](std::size_t b, std::size_t) {
+    for_hits(found[b], first[b], [&](LineId s, double, MeetingId) { job.increment(hits.begin[s]); });
+  });
+  accumulate(hits.begin);
+  hits.items.resize(hits.begin.back());
+  std::vector<std::uint32_t> next(hits.begin.begin(), hits.begin.end() - 1);
+  job.for_blocks(found.size(), 1, [&](std::size_t b, std::size_t) {
+    for_hits(found[b], first[b], [&](LineId s, double at, MeetingId m) {
+      hits.items[job.increment(next[s])] = {at, m};
+    });
+  });
+  return hits;
+}
+
+/// Sorts the hits of a line and unites those at the same point.
+template <class Kernel>
+void sort_hits(LineId s, std::span<Hit> hits, double error, const Along<Kernel>& along,
+               UnionFind& same) {
+  if (hits.size() < 2) return;
+  std::sort(hits.begin(), hits.end(), [&](const Hit& h, const Hit& k) {
+    if (h.at + error < k.at) return true;
+    if (k.at + error < h.at) return false;
+    return along.compare(s, h.meeting, k.meeting) < 0;
+  });
+  for (std::size_t i = 1; i < hits.size(); ++i) {
+    // Negated, so that a parameter that is no number is in doubt.
+    if (!(hits[i].at > hits[i - 1].at + error) &&
+        along.compare(s, hits[i - 1].meeting, hits[i].meeting) == 0) {
+      same.unite(hits[i - 1].meeting, hits[i].meeting);
+    }
+  }
+}
+
+/// Numbers the vertices by their least meetings: ends in the order of their lines, then crossings.
+inline std::vector<std::uint32_t> number_vertices(const UnionFind& same, Chains& chains) {
+  std::vector<std::uint32_t> number(same.size());
+  for (MeetingId m = 0; m < number.size(); ++m) {
+    const MeetingId least = same.find(m);
+    if (least == m) {
+      number[m] = static_cast<std::uint32_t>(chains.meeting.size());
+      chains.meeting.push_back(m);
+    } else {
+      number[m] = number[least];
+    }
+  }
+  return number;
+}
+
+/// Calls visit(vertex) along a line.
+template <class Visit>
+void walk_line(LineId s, std::span<const Hit> hits, const std::vector<std::uint32_t>& number,
+               Visit visit) {
+  std::uint32_t before = number[first_end(s)];
+  visit(before);
+  for (const Hit& h : hits) {
+    const std::uint32_t v = number[h.meeting];
+    if (v != before) visit(v);
+    before = v;
+  }
+  const std::uint32_t v = number[last_end(s)];
+  if (v != before) visit(v);
+}
+
+/// Sorts the hits, too.
+template <class Kernel>
+Chains make_chains(const Kernel& kernel, std::span<const Approx> approx, double extent,
+                   const std::vector<EndId>& same_end, const std::vector<Crossing>& crossings,
+                   Grouped<Hit>& hits, Job& job) {
+  const std::size_t line_count = approx.size();
+  const Along<Kernel> along(kernel, crossings);
+  UnionFind same(same_end, 2 * line_count + crossings.size());
+  const auto hits_of = [&](std::size_t s) {
+    return std::span<Hit>(hits.items).subspan(hits.begin[s], hits.begin[s + 1] - hits.begin[s]);
+  };
+  job.for_each(line_count, [&](std::size_t s) {
+    // A parameter of a crossing is a ratio of two values with a relative error of kRelativeError
+    // each, plus three roundings; one of an end suffers from the rounding of the coordinates.
+    const double length =
+        std::max(approx[s].bx - approx[s].ax, std::abs(approx[s].by - approx[s].ay));
+    const double error = 8 * (Kernel::kRelativeError + 0x1p-53) + 16 * 0x1p-53 * (extent / length);
+    sort_hits(static_cast<LineId>(s), hits_of(s), error, along, same);
+  });
+  Chains chains;
+  const std::vector<std::uint32_t> number = number_vertices(same, chains);
+  std::vector<std::uint32_t>& begin = chains.vertices.begin;
+  begin.assign(line_count, 0);
+  job.for_each(line_count, [&](std::size_t s) {
+    walk_line(static_cast<LineId>(s), hits_of(s), number, [&](std::uint32_t) { ++begin[s]; });
+  });
+  accumulate(begin);
+  chains.vertices.items.resize(begin.back());
+  job.for_each(line_count, [&](std::size_t s) {
+    std::uint32_t* next = chains.vertices.items.data() + begin[s];
+    walk_line(static_cast<LineId>(s), hits_of(s), number, [&](std::uint32_t v) { *next++ = v; });
+  });
+  return chains;
+}
+
+}  // namespace plumbline::bucket

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace plumbline::bucket {
+
+/// Runs the steps of one arrangement: on how many threads, who is told, and whether to stop. Work
+/// is cut into blocks of a size that does not depend on the number of threads.
+class Job {
+ public:
+  /// `threads`: at least 1. `progress`: may be empty; returning false cancels.
+  Job(std::size_t threads, std::function<bool(double)> progress);
+
+  bool is_parallel() const { return threads_ > 1; }
+
+  /// The next step takes about this share of the whole job. Throws: Error Cancelled.
+  void begin_step(double share);
+
+  /// Calls work(begin, end) for blocks of at most `size` indices below `count`.
+  template <class Work>
+  void for_blocks(std::size_t count, std::size_t size, Work work) {
+    const std::size_t blocks = (count + size - 1) / size;
+    std::atomic<std::size_t> done = 0;
+    const auto one = [&](std::size_t block) {
+      work(block * size, std::min(count, (block + 1) * size));
+      tell(static_cast<double>(++done) / static_cast<double>(blocks));
+    };
+    if (is_parallel() && blocks > 1) {
+      tbb::parallel_for(std::size_t{0}, blocks, one);
+    } else {
+      for (std::size_t block = 0; block < blocks; ++block) one(block);
+    }
+  }
+  /// Calls work(i) for each index below `count`.
+  template <class Work>
+  void for_each(std::size_t count, Work work) {
+    constexpr std::size_t kBlock = 4096;
+    for_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) work(i);
+    });
+  }
+
+  /// Sorts by a total order, so that the result does not depend on the algorithm.
+  template <class Range, class Less>
+  void sort(Range& range, Less less) {
+    if (is_parallel()) {
+      tbb::parallel_sort(range.begin(), range.end(), less);
+    } else {
+      std::sort(range.begin(), range.end(), less);
+    }
+  }
+
+  void sort_integers(std::vector<std::uint64_t>& values) const;
+
+  /// Adds 1 to a counter that other threads may be adding to; the value before.
+  std::uint32_t increment(std::uint32_t& counter) const {
+    if (!is_parallel()) return counter++;
+    return std::atomic_ref(counter).fetch_add(1, std::memory_order_relaxed);
+  }
+
+ private:
+  void tell(double done_of_step) const;
+
+  std::size_t threads_;
+  std::function<bool(double)> progress_;
+  std::thread::id caller_;
+  double done_ = 0, share_ = 0;
+};
+
+/// Turns counts into begins: values[i] becomes the sum of those before i; the total is appended.
+template <class Value>
+void accumulate(std::vector<Value>& values) {
+  Value sum = 0;
+  for (Value& v : values) {
+    const Value count = v;
+    v = sum;
+    sum += count;
+  }
+  values.push_back(sum);
+}
+
+}  // namespace plumbline::bucket

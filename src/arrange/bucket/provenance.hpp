@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "arrange/bucket/types.hpp"
+
+namespace plumbline::bucket {
+
+/// The input item that covers a carrier from its break `from` to its break `to`; break 0 is the
+/// carrier's first end.
+struct Part {
+  std::uint32_t item, from, to;
+};
+
+/// Lines that stand for several input items each.
+struct Carriers {
+  std::vector<LineId> line;
+  Grouped<Part> parts;     ///< per carrier, by `from`
+  Grouped<LineId> breaks;  ///< per carrier, in order: points at the ends of parts, its own ends not
+};
+
+/// What each line stands for.
+struct Provenance {
+  std::vector<std::uint32_t> item;  ///< per line: the input item; or carrier c as `item_count` + c
+  std::uint32_t item_count = 0;
+  Carriers carriers;
+
+  /// Turns breaks into positions along the chains of vertices of the carriers.
+  void place(const Grouped<std::uint32_t>& chains);
+
+  /// Calls visit(item) for the items that cover the edge at a position of a line. Requires: `place`
+  /// was called.
+  template <class Visit>
+  void for_items(LineId line, std::size_t position, Visit visit) const {
+    if (item[line] < item_count) {
+      visit(item[line]);
+      return;
+    }
+    for (const Part& part : carriers.parts[item[line] - item_count]) {
+      if (part.from > position) break;
+      if (position < part.to) visit(part.item);
+    }
+  }
+};
+
+}  // namespace plumbline::bucket
