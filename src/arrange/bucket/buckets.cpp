@@ -155,9 +155,38 @@ Split split_along_x(const Box& box, const std::vector<LineId>& members, double m
   return result;
 }
 
+/// Whether nearly all lines go through one point, as far as doubles can tell: then splitting only
+/// takes apart what is searched best together (pencils.hpp).
+bool is_pencil(const std::vector<LineId>& members, std::span<const Approx> lines, double margin) {
+  constexpr std::size_t kPairs = 8, kProbes = 64;
+  constexpr double kNearly = 0.9, kSlack = 16;
+  PointD best{};
+  double best_sine = 0;
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Approx& l = lines[members[k * members.size() / (2 * kPairs)]];
+    const Approx& m = lines[members[(k + kPairs) * members.size() / (2 * kPairs)]];
+    const double dx = l.bx - l.ax, dy = l.by - l.ay, ex = m.bx - m.ax, ey = m.by - m.ay;
+    const double turn = dx * ey - dy * ex;
+    const double sine = std::abs(turn) / std::sqrt((dx * dx + dy * dy) * (ex * ex + ey * ey));
+    if (!(sine > best_sine)) continue;
+    const double t = ((m.ax - l.ax) * ey - (m.ay - l.ay) * ex) / turn;
+    best_sine = sine;
+    best = {l.ax + t * dx, l.ay + t * dy};
+  }
+  if (best_sine == 0) return false;
+  std::size_t through = 0;
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    const Approx& l = lines[members[k * members.size() / kProbes]];
+    const double dx = l.bx - l.ax, dy = l.by - l.ay;
+    const double across = dx * (best.y - l.ay) - dy * (best.x - l.ax);
+    if (std::abs(across) <= kSlack * margin / best_sine * (std::abs(dx) + std::abs(dy))) ++through;
+  }
+  return static_cast<double>(through) >= kNearly * kProbes;
+}
+
 Split split(const Box& box, const std::vector<LineId>& members, std::span<const Approx> lines,
             double margin) {
-  if (members.size() <= kFull) return {};
+  if (members.size() <= kFull || is_pencil(members, lines, margin)) return {};
   Split best = split_along_x(box, members, margin, [&](LineId s) { return lines[s]; });
   const Box turned{box.y0, box.x0, box.y1, box.x1};
   Split other =

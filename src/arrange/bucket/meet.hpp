@@ -36,11 +36,11 @@ template <class Kernel>
 void search_bucket(const Scene<Kernel>& scene, std::size_t bucket, Meetings& found) {
   constexpr std::size_t kFew = 24;
   const std::span<const LineId> lines = scene.buckets.lines(bucket);
-  Pairs<Kernel> pairs(scene, bucket, found);
   if (lines.size() > kFew) {
-    Pencils<Kernel>(scene, bucket, found).search(lines, pairs);
+    Pencils<Kernel>(scene, bucket, found).search(lines);
     return;
   }
+  Pairs<Kernel> pairs(scene, bucket, found);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t j = i + 1; j < lines.size(); ++j) pairs.test(lines[i], lines[j]);
   }
