@@ -111,45 +111,116 @@ TEST_CASE("buckets: a component beside a line that is all but vertical has its f
             .substr(0, 17) == "V 15 E 14 F 2 C 2");
 }
 
-TEST_CASE("coordinates that share a decimal grid of 60 bits are integers, others rationals") {
-  CHECK(bucket::GridKernel::from(segments("0.1 0.25 57646075230342348.75 3")).has_value());
-  CHECK_FALSE(bucket::GridKernel::from(segments("0.1 0.25 57646075230342348.8 3")).has_value());
-  CHECK_FALSE(bucket::GridKernel::from(segments("0 0 1e-19 3")).has_value());
-  CHECK(bucket::GridKernel::from(segments("1/3 1/7 1/11 3")).has_value());
+namespace {
+
+bucket::Job serial() { return bucket::Job(1, {}); }
+
+std::string kernel_of(const std::string& text) {
+  bucket::Job job = serial();
+  const auto grid = bucket::GridInput::from(segments(text), job);
+  if (!grid) return "rational";
+  return bucket::GridKernel<std::int32_t>::fits(*grid) ? "narrow" : "wide";
 }
 
-TEST_CASE("both kernels decide alike at the limit of the grid") {
-  // Ends one unit of the grid off a long slanted line, and on it.
-  const std::string text =
-      "-1152921504606846975 -1152921504606846975 1152921504606846975 1152921504606846974 "
-      "0 0 1 1  -1 0 0 -1  -1152921504606846974 -1152921504606846974 5 5  0 -1/2 9 9";
-  const auto decide = [](const auto& kernel) {
-    std::string decisions;
-    for (bucket::LineId s = 0; s < kernel.size(); ++s) {
-      for (bucket::EndId e = 0; e < 2 * kernel.size(); ++e) {
-        decisions +=
-            std::to_string(kernel.side(s, e)) + std::to_string(kernel.orientation(s, e).sign);
+/// What a kernel decides about all pairs of its lines.
+template <class Kernel>
+std::string decisions(const Kernel& kernel) {
+  std::string text;
+  const auto add = [&](int value) { text += std::to_string(bucket::sign(value)); };
+  for (bucket::LineId s = 0; s < kernel.size(); ++s) {
+    for (bucket::LineId o = 0; o < kernel.size(); ++o) {
+      if (o == s) continue;
+      const bucket::Relation r = kernel.relate(s, o);
+      for (const int sign : {r.a_to_s, r.b_to_s, r.a_to_o, r.b_to_o, kernel.side(s, 2 * o),
+                             kernel.compare_directions(s, o), kernel.compare(2 * s, 2 * o + 1)}) {
+        add(sign);
+      }
+      if (!r.cross()) continue;
+      CHECK(r.at_s == Approx(kernel.parameter(s, o)).epsilon(1e-8));
+      for (bucket::LineId q = 0; q < kernel.size(); ++q) {
+        add(kernel.side_of_crossing(q, s, o));
+        add(kernel.compare_x(s, o, 2 * q));
+        if (q != s && q != o && kernel.relate(s, q).cross()) {
+          add(kernel.compare_along(s, o, q));
+        }
       }
     }
-    return decisions;
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("coordinates that share a decimal grid of 60 bits are integers, others rationals") {
+  CHECK(kernel_of("0.1 0.25 57646075230342348.75 3") == "wide");
+  CHECK(kernel_of("0.1 0.25 57646075230342348.8 3") == "rational");
+  CHECK(kernel_of("0 0 1e-19 3") == "rational");
+  CHECK(kernel_of("1/3 1/7 1/11 3") == "narrow");
+}
+
+TEST_CASE("a drawing of 31 bits is narrow wherever it lies") {
+  CHECK(kernel_of("0 0 2147483646 5") == "narrow");
+  CHECK(kernel_of("0 0 2147483648 5") == "wide");
+  CHECK(kernel_of("500000000000000000 0 500000002147483646 5") == "narrow");
+  CHECK(kernel_of("-1073741823 0 1073741823 -1073741823  0 0 1 1073741823") == "narrow");
+}
+
+TEST_CASE("all kernels decide alike at the limits of their grids") {
+  // Ends one unit of the grid off a long slanted line, and on it.
+  for (const std::string big : {"1073741823", "1152921504606846975"}) {
+    const std::string less = big == "1073741823" ? "1073741822" : "1152921504606846974";
+    const std::string text = "-" + big + " -" + big + " " + big + " " + less +
+                             "  0 0 1 1  -1 0 0 -1  -" + less + " -" + less + " 5 5  -" + big +
+                             " " + big + " " + big + " -" + big + "  -" + less + " " + big + " " +
+                             big + " -" + less;
+    CAPTURE(text);
+    bucket::Job job = serial();
+    const SegmentSet input = segments(text);
+    const auto grid = bucket::GridInput::from(input, job);
+    REQUIRE(grid.has_value());
+    const std::string expected = decisions(bucket::RationalKernel(input, job));
+    CHECK(decisions(bucket::GridKernel<std::int64_t>(*grid)) == expected);
+    if (bucket::GridKernel<std::int32_t>::fits(*grid)) {
+      CHECK(decisions(bucket::GridKernel<std::int32_t>(*grid)) == expected);
+    }
+    arranged(text);
+  }
+  CHECK(kernel_of("-1073741823 -1073741823 1073741823 1073741822") == "narrow");
+}
+
+TEST_CASE("lines on one supporting line have one key, whatever the kernel") {
+  const SegmentSet input = segments(
+      "0 1/3 3 4/3  6 7/3 9 10/3  -3 -2/3 0 1/3  7 0 7 1  7 5 7 9  0 0 5 0  8 0 9 0  1 1 2 2 + 2 2 "
+      "+ 2 2");
+  bucket::Job job = serial();
+  const auto keys_of = [](const auto& kernel) {
+    std::vector<std::uint64_t> keys(kernel.size());
+    kernel.keys(0, keys.size(), keys.data());
+    return keys;
   };
-  const auto integers = segments(
-      "-1152921504606846975 -1152921504606846975 1152921504606846975 1152921504606846974 "
-      "0 0 1 1  -1 0 0 -1  -1152921504606846974 -1152921504606846974 5 5");
-  const auto grid = bucket::GridKernel::from(integers);
-  REQUIRE(grid.has_value());
-  CHECK(decide(*grid) == decide(bucket::RationalKernel::from(integers)));
-  CHECK(arranged(text).substr(0, 17) == "V 12 E 11 F 1 C 1");
+  const auto grid = bucket::GridInput::from(input, job);
+  for (const auto& k : {keys_of(bucket::GridKernel<std::int32_t>(*grid)),
+                        keys_of(bucket::GridKernel<std::int64_t>(*grid)),
+                        keys_of(bucket::RationalKernel(input, job))}) {
+    CHECK((k[0] == k[1] && k[1] == k[2]));
+    CHECK(k[3] == k[4]);
+    CHECK(k[5] == k[6]);
+    CHECK(k[8] == k[9]);
+    std::vector<std::uint64_t> different{k[0], k[3], k[5], k[7], k[8]};
+    std::sort(different.begin(), different.end());
+    CHECK(std::unique(different.begin(), different.end()) == different.end());
+  }
 }
 
 TEST_CASE("the double filter is right where a point is next to a line by one rounding") {
   // r = p + t (q - p), rounded to doubles and moved by single roundings: exact orientation decides.
-  const auto kernel_of = [](const Point& p, const Point& q, const Point& r) {
+  const auto kernel_with = [](const Point& p, const Point& q, const Point& r) {
     SegmentSet set;
     const SourceId source = set.add_source({});
-    set.segments = {{p, q}, {r, {1000, 1000}}};
-    set.segment_source = {source, source};
-    return bucket::RationalKernel::from(set);
+    set.add(Segment{p, q}, source);
+    set.add(Segment{r, {1000, 1000}}, source);
+    bucket::Job job = serial();
+    return bucket::RationalKernel(set, job);
   };
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> coordinate(-1, 1);
@@ -160,10 +231,10 @@ TEST_CASE("the double filter is right where a point is next to a line by one rou
     for (int step = -2; step <= 2; ++step) {
       PointD r{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
       for (int k = 0; k < std::abs(step); ++k) r.y = std::nextafter(r.y, step < 0 ? -9 : 9);
-      const auto kernel = kernel_of(exact(p), exact(q), exact(r));
+      const auto kernel = kernel_with(exact(p), exact(q), exact(r));
       const int expected = orientation(exact(p), exact(q), exact(r));
       REQUIRE(kernel.side(0, 2) == expected);
-      REQUIRE(kernel.orientation(0, 2).sign == expected);
+      REQUIRE(kernel.relate(0, 1).a_to_s == expected);
     }
   }
 }
@@ -180,10 +251,11 @@ TEST_CASE("products of 128-bit numbers are compared exactly") {
 
 TEST_CASE("every point is in one bucket, and all lines near it are listed there") {
   const SegmentSet input = random_segments::make("lattice", 7);
-  const auto kernel = *bucket::GridKernel::from(input);
+  bucket::Job job = serial();
+  const bucket::GridKernel<std::int32_t> kernel(*bucket::GridInput::from(input, job));
   std::vector<bucket::Approx> approx;
   for (bucket::LineId s = 0; s < kernel.size(); ++s) approx.push_back(kernel.approx(s));
-  const bucket::Buckets buckets(approx, 1e-9);
+  const bucket::Buckets buckets(approx, 1e-9, job);
   for (bucket::LineId s = 0; s < approx.size(); ++s) {
     for (int k = 0; k <= 100; ++k) {
       const double t = k / 100.0;
@@ -192,5 +264,53 @@ TEST_CASE("every point is in one bucket, and all lines near it are listed there"
       const auto lines = buckets.lines(b);
       CHECK(std::find(lines.begin(), lines.end(), s) != lines.end());
     }
+  }
+}
+
+TEST_CASE("the arrangement's numbering does not depend on the number of threads") {
+  for (const char* family : {"lattice", "collinear", "rotated", "rings"}) {
+    SegmentSet input;
+    const SourceId source = input.add_source({});
+    for (unsigned seed = 1; seed <= 300; ++seed) {
+      const SegmentSet part = random_segments::make(family, seed);
+      const Rational dx = static_cast<int>(seed % 17) * 9, dy = static_cast<int>(seed / 17) * 9;
+      for (const Segment& s : part.segments) {
+        input.add({{s.a.x + dx, s.a.y + dy}, {s.b.x + dx, s.b.y + dy}}, source);
+      }
+    }
+    const Arrangement one(input, {1, {}});
+    for (const std::size_t threads : {2U, 5U}) {
+      const Arrangement many(input, {threads, {}});
+      REQUIRE(many.edge_count() == one.edge_count());
+      REQUIRE(many.cycle_count() == one.cycle_count());
+      bool same = true;
+      for (std::size_t h = 0; h < 2 * one.edge_count(); ++h) {
+        const HalfedgeId id(h);
+        same = same && many.next(id) == one.next(id) && many.cycle(id) == one.cycle(id) &&
+               many.edge(edge_of(id)) == one.edge(edge_of(id)) &&
+               many.face(many.cycle(id)) == one.face(one.cycle(id));
+      }
+      CHECK(same);
+      CHECK(many.complex() == one.complex());
+    }
+  }
+}
+
+TEST_CASE("a progress callback sees the work from 0 to 1 and can end it") {
+  const SegmentSet input = pencil(2000);
+  std::vector<double> seen;
+  const Arrangement arrangement(input, {2, [&](double part) {
+                                          seen.push_back(part);
+                                          return true;
+                                        }});
+  CHECK(std::is_sorted(seen.begin(), seen.end()));
+  CHECK(seen.front() >= 0);
+  CHECK(seen.back() > 0.9);
+  CHECK(seen.back() <= 1);
+  try {
+    const Arrangement cancelled(input, {2, [](double part) { return part < 0.5; }});
+    FAIL("not cancelled");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::Cancelled);
   }
 }

@@ -25,9 +25,9 @@ struct ArrangeOptions {
   std::function<bool(double)> progress;
 };
 
-/// The arrangement of segments and isolated points as the bucket engine computes it. **Exact**, with
-/// implicit vertices: where two segments cross is known, coordinates are computed when asked for.
-/// Numbering depends on the input's order, not on the number of threads; `complex` gives the
+/// The arrangement of segments and isolated points as the bucket engine computes it. **Exact**,
+/// with implicit vertices: where two segments cross is known, coordinates are computed when asked
+/// for. Numbering depends on the input's order, not on the number of threads; `complex` gives the
 /// canonical one. Halfedge 2 e runs along edge e, whose tail is lexicographically first.
 /// Cost: O((n + K) log n) expected for n segments with K crossings, where segments are spread or
 /// bundled so that a bucket can tell them apart; memory about 100 bytes per edge.
@@ -54,7 +54,8 @@ class Arrangement {
   CycleId outer_boundary(FaceId f) const;  ///< none for the unbounded face
   std::span<const CycleId> holes(FaceId f) const;
   std::span<const VertexId> isolated_vertices(FaceId f) const;
-  /// All input segments that cover an edge, ascending. Cost: O(k) for k segments that overlap there.
+  /// All input segments that cover an edge, ascending. Cost: O(k) for k segments that overlap
+  /// there.
   std::vector<SegmentId> sources(EdgeId e) const;
 
   /// Coordinates of a vertex. **Exact**. Cost: some products and greatest common divisors.

@@ -20,11 +20,11 @@ std::string to_text(const Place& place);
 
 /// Why a job could not be done.
 enum class ErrorCode {
-  BadInput,  ///< the content of a file or an argument cannot be used
-  BadFile,   ///< a file cannot be opened, read or written
-  Limit,     ///< a stated limit is exceeded
+  BadInput,   ///< the content of a file or an argument cannot be used
+  BadFile,    ///< a file cannot be opened, read or written
+  Limit,      ///< a stated limit is exceeded
   Cancelled,  ///< a progress callback asked to stop
-  Internal,  ///< a promise of this library is broken: please report it
+  Internal,   ///< a promise of this library is broken: please report it
 };
 
 /// Thrown when a job cannot be done. `what()` is one line: place, message and the offending text.

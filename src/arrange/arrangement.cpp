@@ -1,4 +1,9 @@
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -6,29 +11,35 @@
 #include "arrange/within_limit.hpp"
 #include "plumbline/arrange.hpp"
 
-#include <tbb/task_arena.h>
-
 namespace plumbline {
 
-struct Arrangement::Implementation : bucket::Result {
-  std::size_t segment_count = 0;
+struct Arrangement::Implementation : bucket::Result {};
 
-  bucket::LineId line(EdgeId e) const { return edge_line[e]; }
-};
+namespace {
+
+bucket::Result arrange_on(std::size_t threads, const SegmentSet& input, bucket::Job& job) {
+  if (threads == 1) return bucket::arrange(input, job);
+  // Without this, TBB warns and starts no more threads than there are cores.
+  std::optional<tbb::global_control> more;
+  if (threads > static_cast<std::size_t>(tbb::info::default_concurrency())) {
+    more.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  }
+  return tbb::task_arena(static_cast<int>(threads)).execute([&] {
+    return bucket::arrange(input, job);
+  });
+}
+
+}  // namespace
 
 Arrangement::Arrangement(const SegmentSet& input, const ArrangeOptions& options)
     : implementation_(std::make_unique<Implementation>()) {
   ensure_within_limit(input);
-  std::size_t threads = options.threads;
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  constexpr std::size_t kMostThreads = 1024;
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t threads =
+      std::min(options.threads == 0 ? cores : options.threads, kMostThreads);
   bucket::Job job(threads, options.progress);
-  static_cast<bucket::Result&>(*implementation_) =
-      threads == 1
-          ? bucket::arrange(input, job)
-          : tbb::task_arena(static_cast<int>(threads)).execute([&] {
-              return bucket::arrange(input, job);
-            });
-  implementation_->segment_count = input.segments.size();
+  static_cast<bucket::Result&>(*implementation_) = arrange_on(threads, input, job);
 }
 
 Arrangement::Arrangement(Arrangement&&) noexcept = default;

@@ -14,7 +14,8 @@ enum ExitCode { kAgree = 0, kDisagree = 1, kBadInput = 2, kInternal = 3 };
 struct DrawingArguments {
   std::string file;
   Engine engine = Engine::Bucket;
-  bool verify = false;  ///< arrange with both engines and compare
+  std::size_t threads = 0;  ///< 0: as many as there are cores
+  bool verify = false;      ///< arrange with both engines and compare
 };
 
 struct ArrangeArguments : DrawingArguments {

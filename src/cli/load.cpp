@@ -24,13 +24,18 @@ Drawing load(const DrawingArguments& arguments) {
     drawing.input = evaluate(read(arguments.file));
   }
   {
-    const Progress progress(fmt::format("arranging {} segments", drawing.input.segments.size()));
-    drawing.complex = arrange(drawing.input, arguments.engine);
+    Progress progress(fmt::format("arranging {} segments", drawing.input.segments.size()));
+    const auto tell = [&](double part) {
+      progress.tell(part);
+      return true;
+    };
+    drawing.complex = arrange(drawing.input, arguments.engine, {arguments.threads, tell});
   }
   if (arguments.verify) {
     const Progress progress("arranging with the other engine");
     const Engine other = arguments.engine == Engine::Cgal ? Engine::Bucket : Engine::Cgal;
-    ensure(arrange(drawing.input, other) == drawing.complex, "the two engines differ");
+    ensure(arrange(drawing.input, other, {arguments.threads, {}}) == drawing.complex,
+           "the two engines differ");
   }
   const Progress progress(fmt::format("validating {} edges", drawing.complex.edge_count()));
   ensure_valid(validate(drawing.complex));

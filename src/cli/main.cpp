@@ -34,6 +34,11 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
           "Arrange with bucket (the default) or cgal (the reference, slower)")
       ->check(CLI::IsMember({"cgal", "bucket"}))
       ->type_name("ENGINE");
+  command
+      ->add_option("--threads", arguments.threads,
+                   "Use at most N threads [default: one for each core]; never changes the result")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
   command->add_flag("--verify", arguments.verify, "Arrange with both engines and compare");
   command->callback([&] { exit_code = run(arguments); });
   return command;

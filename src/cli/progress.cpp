@@ -7,6 +7,15 @@
 #include <utility>
 
 namespace plumbline::cli {
+namespace {
+
+std::string bar_of(double part) {
+  constexpr int kWidth = 30;
+  const auto full = static_cast<std::size_t>(part * kWidth);
+  return "[" + std::string(full, '#') + std::string(kWidth - full, '.') + "]";
+}
+
+}  // namespace
 
 Progress::Progress(std::string what) : what_(std::move(what)) {
   if (::isatty(STDERR_FILENO) != 0) thread_ = std::thread(&Progress::show, this);
@@ -27,7 +36,10 @@ void Progress::show() {
   std::unique_lock lock(mutex_);
   if (changed_.wait_for(lock, kPatience, [this] { return done_; })) return;
   for (auto seconds = kPatience; !done_; seconds += kStep) {
-    fmt::print(stderr, "\r{} ... {} s", what_, seconds.count());
+    const double part = part_;
+    const std::string bar =
+        part < 0 ? " ..." : fmt::format(" {} {:2.0f} %", bar_of(part), 100 * part);
+    fmt::print(stderr, "\r{}{} {} s", what_, bar, seconds.count());
     std::fflush(stderr);
     changed_.wait_for(lock, kStep, [this] { return done_; });
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <string>
@@ -16,10 +17,14 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
+  /// Which part of the work is done, from 0 to 1: shown as a bar.
+  void tell(double part) { part_ = part; }
+
  private:
   void show();
 
   std::string what_;
+  std::atomic<double> part_ = -1;  ///< negative: not told
   std::mutex mutex_;
   std::condition_variable changed_;
   bool done_ = false;

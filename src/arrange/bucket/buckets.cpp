@@ -17,7 +17,10 @@ constexpr int kDeepest = 60;
 class Band {
  public:
   Band(const Approx& l, double margin)
-      : l_(l), margin_(margin), bottom_(std::min(l.ay, l.by)), top_(std::max(l.ay, l.by)),
+      : l_(l),
+        margin_(margin),
+        bottom_(std::min(l.ay, l.by)),
+        top_(std::max(l.ay, l.by)),
         slope_((l.bx - l.ax) / (l.by - l.ay)) {}
 
   std::pair<double, double> between(double low, double high) const {

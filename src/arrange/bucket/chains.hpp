@@ -100,13 +100,15 @@ void for_hits(const Meetings& found, MeetingId first, Visit visit) {
 inline Grouped<Hit> collect_hits(std::size_t line_count, const std::vector<Meetings>& found,
                                  Job& job) {
   std::vector<MeetingId> first;
-  for (const Meetings& block : found) first.push_back(static_cast<MeetingId>(block.crossings.size()));
+  for (const Meetings& block : found)
+    first.push_back(static_cast<MeetingId>(block.crossings.size()));
   accumulate(first);
   for (MeetingId& m : first) m += static_cast<MeetingId>(2 * line_count);
   Grouped<Hit> hits;
   hits.begin.assign(line_count, 0);
   job.for_blocks(found.size(), 1, [&](std::size_t b, std::size_t) {
-    for_hits(found[b], first[b], [&](LineId s, double, MeetingId) { job.increment(hits.begin[s]); });
+    for_hits(found[b], first[b],
+             [&](LineId s, double, MeetingId) { job.increment(hits.begin[s]); });
   });
   accumulate(hits.begin);
   hits.items.resize(hits.begin.back());

@@ -1,7 +1,7 @@
 #pragma once
 
-// Step 1: segments that overlap on one line become one line ("carrier") with the ends of its parts as
-// points on it, so that no two lines share more than a point. Equal segments are a special case.
+// Step 1: segments that overlap on one line become one line ("carrier") with the ends of its parts
+// as points on it, so that no two lines share more than a point. Equal segments are a special case.
 
 #include <algorithm>
 #include <span>
@@ -83,9 +83,10 @@ class CollinearMerge {
     const bool point = kernel_.is_point(f);
     std::vector<LineId> same, others;
     for (const LineId s : group) {
-      const bool on = kernel_.is_point(s) == point &&
-                      (point ? kernel_.compare(first_end(s), first_end(f)) == 0
-                             : kernel_.side(f, first_end(s)) == 0 && kernel_.side(f, last_end(s)) == 0);
+      const bool on =
+          kernel_.is_point(s) == point &&
+          (point ? kernel_.compare(first_end(s), first_end(f)) == 0
+                 : kernel_.side(f, first_end(s)) == 0 && kernel_.side(f, last_end(s)) == 0);
       (on ? same : others).push_back(s);
     }
     if (point) {
@@ -146,9 +147,8 @@ class CollinearMerge {
   }
 
   std::uint32_t number_of(EndId end, const std::vector<EndId>& breaks) const {
-    const auto at = std::lower_bound(breaks.begin(), breaks.end(), end, [&](EndId p, EndId q) {
-      return kernel_.compare(p, q) < 0;
-    });
+    const auto at = std::lower_bound(breaks.begin(), breaks.end(), end,
+                                     [&](EndId p, EndId q) { return kernel_.compare(p, q) < 0; });
     return static_cast<std::uint32_t>(at - breaks.begin() + 1);
   }
 

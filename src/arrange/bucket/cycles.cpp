@@ -1,5 +1,5 @@
-// On several threads, each walks the pieces of cycles within its block of halfedges; pieces are then
-// joined. As numbering follows the plane, few pieces leave a block.
+// On several threads, each walks the pieces of cycles within its block of halfedges; pieces are
+// then joined. As numbering follows the plane, few pieces leave a block.
 
 #include "arrange/bucket/cycles.hpp"
 
@@ -33,7 +33,10 @@ Cycles walk_serially(const std::vector<HalfedgeId>& next) {
 class ParallelWalk {
  public:
   ParallelWalk(const std::vector<HalfedgeId>& next, Job& job)
-      : next_(next), job_(job), mark_(next.size(), 0), piece_(next.size()),
+      : next_(next),
+        job_(job),
+        mark_(next.size(), 0),
+        piece_(next.size()),
         pieces_((next.size() + kBlock - 1) / kBlock) {}
 
   Cycles walk() {

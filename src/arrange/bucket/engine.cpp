@@ -12,7 +12,8 @@ namespace {
 template <class Kernel>
 std::vector<Approx> approximations(const Kernel& kernel, Job& job) {
   std::vector<Approx> approx(kernel.size());
-  job.for_each(approx.size(), [&](std::size_t s) { approx[s] = kernel.approx(static_cast<LineId>(s)); });
+  job.for_each(approx.size(),
+               [&](std::size_t s) { approx[s] = kernel.approx(static_cast<LineId>(s)); });
   return approx;
 }
 

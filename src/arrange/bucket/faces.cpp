@@ -9,7 +9,10 @@ namespace {
 class Surroundings {
  public:
   Surroundings(const Cycles& cycles, const std::vector<Component>& components, const Faces& faces)
-      : cycles_(cycles), components_(components), faces_(faces), face_(components.size()),
+      : cycles_(cycles),
+        components_(components),
+        faces_(faces),
+        face_(components.size()),
         component_of_hole_(cycles.first.size(), kNone) {
     for (std::size_t c = 0; c < components.size(); ++c) {
       if (components[c].hole.valid()) {

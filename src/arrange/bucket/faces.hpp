@@ -12,8 +12,8 @@ namespace plumbline::bucket {
 struct Faces {
   std::vector<FaceId> of_cycle;
   std::vector<CycleId> outer;
-  Grouped<CycleId> holes;                ///< per face
-  Grouped<VertexId> isolated_vertices;   ///< per face
+  Grouped<CycleId> holes;               ///< per face
+  Grouped<VertexId> isolated_vertices;  ///< per face
 };
 
 /// Every cycle is the outer boundary of a face, save the one around a component, which is a hole of

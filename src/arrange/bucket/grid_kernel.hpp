@@ -10,8 +10,8 @@
 
 namespace plumbline::bucket {
 
-/// The input as integers on the common grid of the drawing's decimals, relative to the middle of the
-/// drawing.
+/// The input as integers on the common grid of the drawing's decimals, relative to the middle of
+/// the drawing.
 struct GridInput {
   std::vector<std::array<std::int64_t, 4>> lines;  ///< ax, ay, bx, by, a first
   mpz_class scale;                                 ///< grid units in a unit of the drawing
@@ -114,7 +114,8 @@ class GridKernel {
   Coordinate y(EndId end) const { return lines_[line_of(end)][is_last(end) ? 3 : 1]; }
   Wide cross(LineId s, EndId end) const {
     const Coordinates& c = lines_[s];
-    return (Wide(c[2]) - c[0]) * (Wide(y(end)) - c[1]) - (Wide(c[3]) - c[1]) * (Wide(x(end)) - c[0]);
+    return (Wide(c[2]) - c[0]) * (Wide(y(end)) - c[1]) -
+           (Wide(c[3]) - c[1]) * (Wide(x(end)) - c[0]);
   }
   /// The parameter of the crossing with o along s as numerator / positive denominator.
   std::pair<Wide, Wide> fraction(LineId s, LineId o) const;

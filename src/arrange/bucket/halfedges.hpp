@@ -1,7 +1,7 @@
 #pragma once
 
-// Step 6: edges between successive vertices of each line, and around each vertex the halfedges in the
-// order of the directions of their lines, which gives the next halfedge of each.
+// Step 6: edges between successive vertices of each line, and around each vertex the halfedges in
+// the order of the directions of their lines, which gives the next halfedge of each.
 
 #include <algorithm>
 #include <span>
@@ -14,7 +14,8 @@ namespace plumbline::bucket {
 /// Edges are numbered along the lines, line after line; halfedge 2 e runs along its line.
 struct Halfedges {
   std::vector<LineId> edge_line;
-  Grouped<HalfedgeId> around;  ///< per vertex, leaving halfedges counter-clockwise from straight down
+  Grouped<HalfedgeId>
+      around;  ///< per vertex, leaving halfedges counter-clockwise from straight down
   std::vector<HalfedgeId> next;  ///< of the cycle on the left
 };
 
@@ -66,7 +67,8 @@ inline void collect_around(const Chains& chains, const std::vector<Crossing>& cr
         slots[role + 2] = halfedge(EdgeId(first + i - 1), true);
         continue;
       }
-      if (i + 1 < chain.size()) slots[job.increment(filled[v])] = halfedge(EdgeId(first + i), false);
+      if (i + 1 < chain.size())
+        slots[job.increment(filled[v])] = halfedge(EdgeId(first + i), false);
       if (i > 0) slots[job.increment(filled[v])] = halfedge(EdgeId(first + i - 1), true);
     }
   });

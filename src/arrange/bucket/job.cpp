@@ -24,11 +24,10 @@ void Job::sort_integers(std::vector<std::uint64_t>& values) const {
   }
 }
 
-void Job::tell(double done_of_step) const {
+void Job::tell(double done_of_step) {
   if (!progress_ || std::this_thread::get_id() != caller_) return;
-  if (!progress_(std::min(1.0, done_ + share_ * done_of_step))) {
-    throw Error(ErrorCode::Cancelled, "cancelled");
-  }
+  told_ = std::max(told_, std::min(1.0, done_ + share_ * done_of_step));
+  if (!progress_(told_)) throw Error(ErrorCode::Cancelled, "cancelled");
 }
 
 }  // namespace plumbline::bucket

@@ -67,12 +67,12 @@ class Job {
   }
 
  private:
-  void tell(double done_of_step) const;
+  void tell(double done_of_step);
 
   std::size_t threads_;
   std::function<bool(double)> progress_;
   std::thread::id caller_;
-  double done_ = 0, share_ = 0;
+  double done_ = 0, share_ = 0, told_ = 0;
 };
 
 /// Turns counts into begins: values[i] becomes the sum of those before i; the total is appended.

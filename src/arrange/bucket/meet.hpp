@@ -1,8 +1,8 @@
 #pragma once
 
-// Step 4: what meets in each bucket. Brute force over the pairs of lines in a bucket; in a full one,
-// lines are first sorted across their common direction, and those that go through one point are
-// recognised together.
+// Step 4: what meets in each bucket. Brute force over the pairs of lines in a bucket; in a full
+// one, lines are first sorted across their common direction, and those that go through one point
+// are recognised together.
 
 #include <algorithm>
 

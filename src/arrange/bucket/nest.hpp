@@ -15,8 +15,9 @@ namespace plumbline::bucket {
 struct Component {
   EndId least;  ///< an end at its lexicographically least vertex
   std::uint32_t vertex;
-  CycleId hole;       ///< the cycle around it; none for an isolated vertex
-  HalfedgeId below;   ///< the one just below its least vertex, running rightwards; none if nothing is
+  CycleId hole;  ///< the cycle around it; none for an isolated vertex
+  HalfedgeId
+      below;  ///< the one just below its least vertex, running rightwards; none if nothing is
 };
 
 /// Connected components of the lines.

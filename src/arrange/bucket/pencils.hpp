@@ -1,6 +1,7 @@
 #pragma once
 
-// Full buckets: many lines that all but share a direction, or that go through one point ("pencils").
+// Full buckets: many lines that all but share a direction, or that go through one point
+// ("pencils").
 
 #include <algorithm>
 #include <cmath>
@@ -53,9 +54,9 @@ class Pencils {
   struct Common {
     EndId end;
     LineId s, o;
-    std::uint32_t crossing;  ///< index into found_.crossings
-    bool here;               ///< whether this bucket records it
-    std::uint64_t pencil;    ///< its bit, once it has three lines
+    std::uint32_t crossing;     ///< index into found_.crossings
+    bool here;                  ///< whether this bucket records it
+    std::uint64_t pencil;       ///< its bit, once it has three lines
     std::size_t first, second;  ///< members
   };
 
@@ -217,7 +218,8 @@ class Pencils {
   double margin_;
   Meetings& found_;
   std::vector<Member> members_;
-  std::vector<std::uint64_t> common_;  ///< per block of members, the pencils that all of them are in
+  std::vector<std::uint64_t>
+      common_;  ///< per block of members, the pencils that all of them are in
   std::vector<Common> commons_;
   std::unordered_map<std::uint64_t, std::size_t> at_;  ///< by place: 1 + index into commons_
   unsigned pencil_count_ = 0;

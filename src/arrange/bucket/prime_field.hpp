@@ -16,7 +16,8 @@ constexpr std::uint64_t reduced(std::uint64_t v) {
 }
 /// The residue of any 64-bit integer.
 constexpr std::uint64_t residue(std::int64_t v) {
-  const std::uint64_t r = reduced(v < 0 ? 0 - static_cast<std::uint64_t>(v) : static_cast<std::uint64_t>(v));
+  const std::uint64_t r =
+      reduced(v < 0 ? 0 - static_cast<std::uint64_t>(v) : static_cast<std::uint64_t>(v));
   return v < 0 && r != 0 ? kPrime - r : r;
 }
 constexpr std::uint64_t multiply(std::uint64_t a, std::uint64_t b) {

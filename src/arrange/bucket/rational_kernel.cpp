@@ -131,7 +131,8 @@ int RationalKernel::compare_directions(LineId s, LineId o) const {
 // The two orientations have a relative error of kRelativeError each.
 double RationalKernel::parameter(LineId s, LineId o) const {
   const Filtered a = filtered(o, first_end(s)), b = filtered(o, last_end(s));
-  if (a.error < std::abs(a.value) * kRelativeError && b.error < std::abs(b.value) * kRelativeError) {
+  if (a.error < std::abs(a.value) * kRelativeError &&
+      b.error < std::abs(b.value) * kRelativeError) {
     return std::abs(a.value) / (std::abs(a.value) + std::abs(b.value));
   }
   return nearest_double(exact_parameter(s, o));

@@ -31,8 +31,8 @@ struct Approx {
 };
 
 /// How two lines s and o lie: the exact signs of the orientations of the ends of o to s (`a`, `b`),
-/// and of those of s to o. If each crosses the interior of the other, the parameters of the crossing
-/// along both (0 at a, 1 at b).
+/// and of those of s to o. If each crosses the interior of the other, the parameters of the
+/// crossing along both (0 at a, 1 at b).
 struct Relation {
   int a_to_s, b_to_s, a_to_o, b_to_o;
   double at_s = 0, at_o = 0;

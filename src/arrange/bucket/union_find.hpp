@@ -54,7 +54,8 @@ class UnionFind {
     return std::atomic_ref(parent_[i]).load(std::memory_order_relaxed);
   }
 
-  mutable std::vector<std::uint32_t> parent_;  ///< never greater than the member; find shortens paths
+  mutable std::vector<std::uint32_t>
+      parent_;  ///< never greater than the member; find shortens paths
 };
 
 }  // namespace plumbline::bucket
