@@ -1,0 +1,47 @@
+// The benchmark's inputs have the counts that were published of them.
+
+#include "workloads.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "plumbline/arrange.hpp"
+#include "support/segments.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+/// "V E F" of the arrangement.
+std::string cells(const SegmentSet& input) {
+  const ExactComplex complex = arrange(input);
+  return std::to_string(complex.vertices.size()) + " " + std::to_string(complex.edge_count()) +
+         " " + std::to_string(complex.face_count());
+}
+
+}  // namespace
+
+TEST_CASE("workloads have the counts of CGAL's arrangement and of the prototype") {
+  const char* name =
+      GENERATE("R1_1e3", "R1_1e4", "R5_5e3", "G_300", "Gr_300", "D_1e4", "S_1e4", "S1_1e3");
+  CAPTURE(name);
+  const workloads::Known* known = workloads::known(name);
+  REQUIRE(known != nullptr);
+  const SegmentSet input = workloads::make(name);
+  CHECK(input.segments.size() == known->segments);
+  CHECK(input.rejected.empty());
+  CHECK(cells(input) == std::to_string(known->vertices) + " " + std::to_string(known->edges) + " " +
+                            std::to_string(known->faces));
+}
+
+TEST_CASE("tiles of a drawing that do not touch have its counts times their number") {
+  const SegmentSet square = segments(rectangle(0, 0, 9, 9));
+  CHECK(cells(workloads::tiles(square, 5, 10, 0)) == "20 20 6");
+  CHECK(cells(workloads::tiles(square, 5, 9, 9)) == "16 20 6");
+}
+
+TEST_CASE("a name that is no workload's, and a missing drawing, are errors") {
+  const char* name =
+      GENERATE("", "R1", "R1_", "R1_x", "R1_0", "R1_1e9", "R1_1.5", "Q_10", "R1_10x");
+  CHECK_THROWS_AS(workloads::make(name), Error);
+  CHECK_THROWS_AS(workloads::make("P_1", "no such directory"), Error);
+}
