@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "hostile_inputs.hpp"
 #include "plumbline/arrange.hpp"
 #include "support/segments.hpp"
 
@@ -12,10 +13,13 @@ using namespace plumbline;
 namespace {
 
 /// "V E F" of the arrangement.
+std::string text(std::size_t vertices, std::size_t edges, std::size_t faces) {
+  return std::to_string(vertices) + " " + std::to_string(edges) + " " + std::to_string(faces);
+}
+
 std::string cells(const SegmentSet& input) {
   const ExactComplex complex = arrange(input);
-  return std::to_string(complex.vertices.size()) + " " + std::to_string(complex.edge_count()) +
-         " " + std::to_string(complex.face_count());
+  return text(complex.vertices.size(), complex.edge_count(), complex.face_count());
 }
 
 }  // namespace
@@ -29,8 +33,20 @@ TEST_CASE("workloads have the counts of CGAL's arrangement and of the prototype"
   const SegmentSet input = workloads::make(name);
   CHECK(input.segments.size() == known->segments);
   CHECK(input.rejected.empty());
-  CHECK(cells(input) == std::to_string(known->vertices) + " " + std::to_string(known->edges) + " " +
-                            std::to_string(known->faces));
+  CHECK(cells(input) == text(known->vertices, known->edges, known->faces));
+}
+
+TEST_CASE("hostile inputs have the cells that their geometry says") {
+  int known = 0;
+  for (const auto& hostile : workloads::hostile_inputs()) {
+    const auto expected = hostile.cells(hostile.small_size);
+    if (!expected) continue;
+    CAPTURE(hostile.name, hostile.small_size);
+    CHECK(cells(hostile.make(hostile.small_size)) ==
+          text(expected->vertices, expected->edges, expected->faces));
+    ++known;
+  }
+  CHECK(known >= 14);
 }
 
 TEST_CASE("tiles of a drawing that do not touch have its counts times their number") {
