@@ -1,0 +1,96 @@
+#include "cases.hpp"
+
+#include <cmath>
+
+#include "hostile_inputs.hpp"
+#include "workloads.hpp"
+
+namespace plumbline::bench {
+namespace {
+
+constexpr unsigned kHostileLimit = 60, kQuickLimit = 2;  // seconds
+
+struct NamedAbsence {
+  const char* workload;
+  Absent absent;
+};
+
+const NamedAbsence kAbsences[] = {
+    {"D_1e6", {"geos", "no end within 420 s"}},
+    {"R1_5e6", {"geos", "some 10 minutes"}},
+    {"R1_5e6", {"cgal", "some 13 GB"}},
+};
+
+Case workload(const std::string& name, const std::filesystem::path& drawings) {
+  Case result;
+  result.id = result.title = name;
+  result.make = [name, drawings] { return workloads::make(name, drawings); };
+  for (const char* contender : {"bucket1", "bucket2", "cgal", "geos"}) {
+    const Absent* absent = nullptr;
+    for (const NamedAbsence& a : kAbsences) {
+      if (name == a.workload && a.absent.contender == contender) absent = &a.absent;
+    }
+    if (absent == nullptr) {
+      result.contenders.emplace_back(contender);
+    } else {
+      result.absent.push_back(*absent);
+    }
+  }
+  if (const workloads::Known* known = workloads::known(name)) {
+    result.cells = Cells{known->vertices, known->edges, known->faces};
+    result.crossings = known->crossings;
+  }
+  return result;
+}
+
+Case text(const std::string& name) {
+  Case result = workload(name, {});
+  result.kind = Kind::Text;
+  result.id = "text_" + name;
+  result.title = name;
+  result.contenders = {"read", "text"};
+  result.absent.clear();
+  return result;
+}
+
+Case hostile(const workloads::Hostile& input, std::size_t index, bool quick) {
+  const std::uint64_t size = quick ? input.small_size : input.size;
+  Case result;
+  result.kind = Kind::Hostile;
+  result.id = "hostile_" + std::to_string(index);
+  result.title = input.name;
+  result.make = [make = input.make, size] { return make(size); };
+  result.contenders = {"bucket1", "bucket2", "cgal"};
+  if (const auto cells = input.cells(size)) {
+    result.cells = Cells{cells->vertices, cells->edges, cells->faces};
+  }
+  result.limit_seconds = quick ? kQuickLimit : kHostileLimit;
+  return result;
+}
+
+}  // namespace
+
+std::vector<Case> cases(bool quick, const std::filesystem::path& drawings) {
+  static const std::vector<std::string> kQuick{"R1_1e3", "R1_1e4", "R5_5e3", "G_300",
+                                               "Gr_300", "D_1e4",  "S_1e4",  "S1_1e3"};
+  static const std::vector<std::string> kFull{
+      "R1_1e4",  "R1_1e5", "R1_1e6", "R1_5e6", "R5_5e3", "R5_1e5", "G_300", "G_1000", "Gr_300",
+      "Gr_1000", "D_1e4",  "D_1e5",  "D_1e6",  "S_1e4",  "S_1e5",  "S_1e6", "S1_1e3", "S1_1e4"};
+  static const std::vector<std::string> kQuickDrawings{"P_1"},
+      kFullDrawings{"P_1", "P_10", "P_100"};
+  static const std::vector<std::string> kQuickTexts{"R1_1e4"}, kFullTexts{"R1_1e5", "R1_1e6"};
+  std::vector<Case> all;
+  for (const auto& name : quick ? kQuick : kFull) all.push_back(workload(name, drawings));
+  if (!drawings.empty()) {
+    for (const auto& name : quick ? kQuickDrawings : kFullDrawings) {
+      all.push_back(workload(name, drawings));
+    }
+  }
+  for (const auto& name : quick ? kQuickTexts : kFullTexts) all.push_back(text(name));
+  std::size_t index = 0;
+  for (const auto& input : workloads::hostile_inputs())
+    all.push_back(hostile(input, ++index, quick));
+  return all;
+}
+
+}  // namespace plumbline::bench
