@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -34,9 +35,12 @@ double resident() { return kib_line("/proc/self/status", "VmRSS"); }
 double peak_resident() { return kib_line("/proc/self/status", "VmHWM"); }
 void reset_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-/// Leaves the other processes of the machine a fifth of the memory.
+/// Most memory that a run may have, and the part of what is free on a smaller machine.
+constexpr double kMostMemory = 10e9, kPartOfFree = 0.8;
+
 void limit_memory() {
-  const auto bytes = static_cast<rlim_t>(0.8 * kib_line("/proc/meminfo", "MemAvailable"));
+  const double part = kPartOfFree * kib_line("/proc/meminfo", "MemAvailable");
+  const auto bytes = static_cast<rlim_t>(std::min(kMostMemory, part));
   const rlimit limit{bytes, bytes};
   setrlimit(RLIMIT_AS, &limit);
 }
