@@ -8,10 +8,10 @@
 namespace plumbline::bench {
 namespace {
 
-Outcome arranged(const SegmentSet& input, std::size_t /*threads*/) {
-  const auto result = std::make_shared<const ExactComplex>(arrange(input, Engine::Bucket));
+Outcome arranged(const SegmentSet& input, std::size_t threads) {
+  const auto result = std::make_shared<const Arrangement>(input, ArrangeOptions{threads, {}});
   return {result, [result] {
-            return Cells{result->vertices.size(), result->edge_count(), result->face_count()};
+            return Cells{result->vertex_count(), result->edge_count(), result->face_count()};
           }};
 }
 
