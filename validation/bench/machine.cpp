@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmp.h>
 #include <gnu/libc-version.h>
+#include <oneapi/tbb/version.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -21,6 +22,14 @@ std::string processor() {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   }
   return "unknown processor";
+}
+
+std::string compiler() {
+#ifdef __clang__
+  return "clang " __clang_version__;
+#else
+  return "g++ " __VERSION__;
+#endif
 }
 
 double memory_gib() {
@@ -52,11 +61,11 @@ std::string allocator() {
 std::string machine() {
   return fmt::format(
       "- {}, {} threads, {:.0f} GiB; load when started {}\n"
-      "- g++/clang {}, -O3; CGAL {} (Epeck over GMP {}); GEOS {}\n"
+      "- {}, -O3; CGAL {} (Epeck over GMP {}); GEOS {}; oneTBB {}\n"
       "- allocator: {}\n",
       processor(), std::thread::hardware_concurrency(), memory_gib(),
-      first_line("/proc/loadavg").substr(0, 4), __VERSION__, cgal_version(), gmp_version,
-      geos_version(), allocator());
+      first_line("/proc/loadavg").substr(0, 4), compiler(), cgal_version(), gmp_version,
+      geos_version(), TBB_VERSION_STRING, allocator());
 }
 
 }  // namespace plumbline::bench
