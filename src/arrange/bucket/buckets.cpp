@@ -11,6 +11,9 @@ namespace {
 constexpr std::size_t kFull = 24;
 /// A split must leave fewer than this times the lines in its two parts together.
 constexpr double kProgress = 1.5;
+/// Where more than this share of the pairs cross, tests of pairs are not wasted, but smaller
+/// buckets are done in parallel; then a split may leave nearly all lines on both sides.
+constexpr double kDense = 0.2, kProgressIfDense = 1.9;
 constexpr int kDeepest = 60;
 
 /// The x coordinates that a line takes at heights within a range, widened by the margin.
@@ -158,38 +161,62 @@ Split split_along_x(const Box& box, const std::vector<LineId>& members, double m
   return result;
 }
 
-/// Whether nearly all lines go through one point, as far as doubles can tell: then splitting only
-/// takes apart what is searched best together (pencils.hpp).
-bool is_pencil(const std::vector<LineId>& members, std::span<const Approx> lines, double margin) {
-  constexpr std::size_t kPairs = 8, kProbes = 64;
-  constexpr double kNearly = 0.9, kSlack = 16;
-  PointD best{};
-  double best_sine = 0;
-  for (std::size_t k = 0; k < kPairs; ++k) {
-    const Approx& l = lines[members[k * members.size() / (2 * kPairs)]];
-    const Approx& m = lines[members[(k + kPairs) * members.size() / (2 * kPairs)]];
-    const double dx = l.bx - l.ax, dy = l.by - l.ay, ex = m.bx - m.ax, ey = m.by - m.ay;
-    const double turn = dx * ey - dy * ex;
-    const double sine = std::abs(turn) / std::sqrt((dx * dx + dy * dy) * (ex * ex + ey * ey));
-    if (!(sine > best_sine)) continue;
-    const double t = ((m.ax - l.ax) * ey - (m.ay - l.ay) * ex) / turn;
-    best_sine = sine;
-    best = {l.ax + t * dx, l.ay + t * dy};
-  }
-  if (best_sine == 0) return false;
+/// What a few pairs of lines say about all of them, as far as doubles can tell.
+struct Sample {
+  bool pencil = false;  ///< nearly all lines go through one point
+  double crossing = 0;  ///< the share of pairs that cross inside the box
+};
+
+bool is_pencil(const PointD& p, double tolerance, const std::vector<LineId>& members,
+               std::span<const Approx> lines) {
+  constexpr std::size_t kProbes = 64;
+  constexpr double kNearly = 0.9;
   std::size_t through = 0;
   for (std::size_t k = 0; k < kProbes; ++k) {
     const Approx& l = lines[members[k * members.size() / kProbes]];
     const double dx = l.bx - l.ax, dy = l.by - l.ay;
-    const double across = dx * (best.y - l.ay) - dy * (best.x - l.ax);
-    if (std::abs(across) <= kSlack * margin / best_sine * (std::abs(dx) + std::abs(dy))) ++through;
+    const double across = dx * (p.y - l.ay) - dy * (p.x - l.ax);
+    if (std::abs(across) <= tolerance * (std::abs(dx) + std::abs(dy))) ++through;
   }
   return static_cast<double>(through) >= kNearly * kProbes;
 }
 
+Sample sample(const Box& box, const std::vector<LineId>& members, std::span<const Approx> lines,
+              double margin) {
+  constexpr std::size_t kPairs = 32;
+  constexpr double kSlack = 16;
+  Sample result;
+  PointD best{};
+  double best_sine = 0;
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Approx& l = lines[members[k * members.size() / (2 * kPairs)]];
+    const Approx& m = lines[members[(k * 7 % kPairs + kPairs) * members.size() / (2 * kPairs)]];
+    const double dx = l.bx - l.ax, dy = l.by - l.ay, ex = m.bx - m.ax, ey = m.by - m.ay;
+    const double turn = dx * ey - dy * ex;
+    const double sine = std::abs(turn) / std::sqrt((dx * dx + dy * dy) * (ex * ex + ey * ey));
+    if (!(sine > 0)) continue;
+    const double t = ((m.ax - l.ax) * ey - (m.ay - l.ay) * ex) / turn;
+    const double u = ((m.ax - l.ax) * dy - (m.ay - l.ay) * dx) / turn;
+    const PointD p{l.ax + t * dx, l.ay + t * dy};
+    if (t >= 0 && t <= 1 && u >= 0 && u <= 1 && box.x0 <= p.x && p.x <= box.x1 && box.y0 <= p.y &&
+        p.y <= box.y1) {
+      result.crossing += 1.0 / kPairs;
+    }
+    if (sine > best_sine) {
+      best_sine = sine;
+      best = p;
+    }
+  }
+  result.pencil = best_sine > 0 && is_pencil(best, kSlack * margin / best_sine, members, lines);
+  return result;
+}
+
 Split split(const Box& box, const std::vector<LineId>& members, std::span<const Approx> lines,
             double margin) {
-  if (members.size() <= kFull || is_pencil(members, lines, margin)) return {};
+  if (members.size() <= kFull) return {};
+  // A pencil is searched best as a whole (pencils.hpp).
+  const Sample pairs = sample(box, members, lines, margin);
+  if (pairs.pencil) return {};
   Split best = split_along_x(box, members, margin, [&](LineId s) { return lines[s]; });
   const Box turned{box.y0, box.x0, box.y1, box.x1};
   Split other =
@@ -199,8 +226,10 @@ Split split(const Box& box, const std::vector<LineId>& members, std::span<const 
     best.along_x = false;
   }
   const double low = best.along_x ? box.x0 : box.y0, high = best.along_x ? box.x1 : box.y1;
-  best.useful = low < best.at && best.at < high &&
-                static_cast<double>(best.size()) < kProgress * static_cast<double>(members.size());
+  best.useful =
+      low < best.at && best.at < high &&
+      static_cast<double>(best.size()) < (pairs.crossing > kDense ? kProgressIfDense : kProgress) *
+                                             static_cast<double>(members.size());
   return best;
 }
 

@@ -38,11 +38,7 @@ class Along {
 
   /// Order of two meetings along s.
   int compare(LineId s, MeetingId m, MeetingId n) const {
-    if (m == n) return 0;
-    if (is_end(m) && is_end(n)) return kernel_.compare(m, n);
-    if (is_end(m)) return compare_end(s, m, n);
-    if (is_end(n)) return -compare_end(s, n, m);
-    return kernel_.compare_along(s, cutter(s, m), cutter(s, n));
+    return m == n ? 0 : compare_places(kernel_, s, place(s, m), place(s, n));
   }
 
   /// Order of the x coordinates of a meeting on s and an end.
@@ -51,12 +47,8 @@ class Along {
   }
 
  private:
-  /// An end on s comes before a crossing if it lies on the side of the cutting line where s begins.
-  int compare_end(LineId s, EndId end, MeetingId n) const {
-    const LineId o = cutter(s, n);
-    const int of_end = kernel_.side(o, end);
-    if (of_end == 0) return 0;
-    return of_end == kernel_.side(o, first_end(s)) ? -1 : 1;
+  Place place(LineId s, MeetingId m) const {
+    return is_end(m) ? Place{m, kNone} : Place{kNone, cutter(s, m)};
   }
 
   const Kernel& kernel_;
@@ -172,22 +164,17 @@ void walk_line(LineId s, std::span<const Hit> hits, const std::vector<std::uint3
 
 /// Sorts the hits, too.
 template <class Kernel>
-Chains make_chains(const Kernel& kernel, std::span<const Approx> approx, double extent,
-                   const std::vector<EndId>& same_end, const std::vector<Crossing>& crossings,
+Chains make_chains(const Scene<Kernel>& scene, const std::vector<Crossing>& crossings,
                    Grouped<Hit>& hits, Job& job) {
-  const std::size_t line_count = approx.size();
-  const Along<Kernel> along(kernel, crossings);
-  UnionFind same(same_end, 2 * line_count + crossings.size());
+  const std::size_t line_count = scene.kernel.size();
+  const Along<Kernel> along(scene.kernel, crossings);
+  UnionFind same(scene.same_end, 2 * line_count + crossings.size());
   const auto hits_of = [&](std::size_t s) {
     return std::span<Hit>(hits.items).subspan(hits.begin[s], hits.begin[s + 1] - hits.begin[s]);
   };
   job.for_each(line_count, [&](std::size_t s) {
-    // A parameter of a crossing is a ratio of two values with a relative error of kRelativeError
-    // each, plus three roundings; one of an end suffers from the rounding of the coordinates.
-    const double length =
-        std::max(approx[s].bx - approx[s].ax, std::abs(approx[s].by - approx[s].ay));
-    const double error = 8 * (Kernel::kRelativeError + 0x1p-53) + 16 * 0x1p-53 * (extent / length);
-    sort_hits(static_cast<LineId>(s), hits_of(s), error, along, same);
+    sort_hits(static_cast<LineId>(s), hits_of(s), scene.parameter_error(static_cast<LineId>(s)),
+              along, same);
   });
   Chains chains;
   const std::vector<std::uint32_t> number = number_vertices(same, chains);

@@ -48,13 +48,13 @@ Result arrange_lines(Kernel kernel, Job& job) {
   job.begin_step(0.25);
   std::vector<EndId> same_end(2 * kernel.size());
   std::iota(same_end.begin(), same_end.end(), 0U);
-  std::vector<Meetings> found =
-      find_meetings(Scene<Kernel>{kernel, approx, buckets, same_end}, job);
+  const Scene<Kernel> scene{kernel, approx, reach, buckets, same_end};
+  std::vector<Meetings> found = find_meetings(scene, job);
   job.begin_step(0.2);
   result.crossings = gather_crossings(found, job);
   Grouped<Hit> hits = collect_hits(kernel.size(), found, job);
   found = {};
-  result.chains = make_chains(kernel, approx, reach, same_end, result.crossings, hits, job);
+  result.chains = make_chains(scene, result.crossings, hits, job);
   result.provenance.place(result.chains.vertices);
   UnionFind connected = connect_lines(result.crossings, same_end, hits, job);
   hits = {};

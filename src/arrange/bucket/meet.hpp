@@ -46,16 +46,32 @@ void search_bucket(const Scene<Kernel>& scene, std::size_t bucket, Meetings& fou
   }
 }
 
+/// Ranges of buckets of about equal work.
+inline std::vector<std::size_t> balanced_blocks(const Buckets& buckets) {
+  constexpr std::size_t kWork = 4096;
+  std::vector<std::size_t> begin{0};
+  std::size_t work = 0;
+  for (std::size_t b = 0; b < buckets.size(); ++b) {
+    const std::size_t lines = buckets.lines(b).size();
+    work += 1 + lines + lines * lines / 4;
+    if (work >= kWork || b + 1 == buckets.size()) {
+      begin.push_back(b + 1);
+      work = 0;
+    }
+  }
+  return begin;
+}
+
 /// Searches all buckets; one Meetings per block of buckets.
 template <class Kernel>
 std::vector<Meetings> find_meetings(const Scene<Kernel>& scene, Job& job) {
-  constexpr std::size_t kBlock = 512;
-  std::vector<Meetings> found((scene.buckets.size() + kBlock - 1) / kBlock);
-  job.for_blocks(scene.buckets.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  const std::vector<std::size_t> begin = balanced_blocks(scene.buckets);
+  std::vector<Meetings> found(begin.size() - 1);
+  job.for_blocks(found.size(), 1, [&](std::size_t block, std::size_t) {
     std::vector<EndId> ends;
-    for (std::size_t b = begin; b < end; ++b) {
+    for (std::size_t b = begin[block]; b < begin[block + 1]; ++b) {
       join_ends(scene, b, ends);
-      search_bucket(scene, b, found[begin / kBlock]);
+      search_bucket(scene, b, found[block]);
     }
   });
   return found;

@@ -43,6 +43,7 @@ template <class Kernel>
 struct Scene {
   const Kernel& kernel;
   std::span<const Approx> approx;
+  double reach;  ///< the largest absolute value in `approx`
   const Buckets& buckets;
   std::vector<EndId>& same_end;
 
@@ -54,6 +55,14 @@ struct Scene {
     const Approx& l = approx[s];
     return {l.ax + t * (l.bx - l.ax), l.ay + t * (l.by - l.ay)};
   }
+  /// A bound on the error of a parameter along s. A parameter of a crossing is a ratio of two
+  /// values with a relative error of kRelativeError each, plus three roundings; one of an end
+  /// suffers from the rounding of the coordinates.
+  double parameter_error(LineId s) const {
+    const Approx& l = approx[s];
+    const double length = std::max(l.bx - l.ax, std::abs(l.by - l.ay));
+    return 8 * (Kernel::kRelativeError + 0x1p-53) + 16 * 0x1p-53 * (reach / length);
+  }
   /// The parameter of a point on s.
   double along(LineId s, const PointD& p) const {
     const Approx& l = approx[s];
@@ -62,13 +71,24 @@ struct Scene {
   }
 };
 
-/// Records a crossing, o turning counter-clockwise from s; `turn` is that of the lines as given.
-inline void add_crossing(Meetings& found, LineId s, LineId o, double at_s, double at_o, int turn) {
-  if (turn > 0) {
-    found.crossings.push_back({{s, o}, at_s, at_o});
-  } else {
-    found.crossings.push_back({{o, s}, at_o, at_s});
-  }
+/// Where a line meets another: at an end of one of them, or else crossing the line `cutter`.
+struct Place {
+  EndId end;  ///< kNone for a crossing
+  LineId cutter;
+};
+
+/// Order of two places along s. **Exact**.
+template <class Kernel>
+int compare_places(const Kernel& kernel, LineId s, const Place& p, const Place& q) {
+  if (p.end != kNone && q.end != kNone) return kernel.compare(p.end, q.end);
+  // An end on s comes before a crossing if it lies on the side of the cutting line where s begins.
+  const auto compare_end = [&](EndId end, LineId cutter) {
+    const int side = kernel.side(cutter, end);
+    return side == 0 ? 0 : (side == kernel.side(cutter, first_end(s)) ? -1 : 1);
+  };
+  if (p.end != kNone) return compare_end(p.end, q.cutter);
+  if (q.end != kNone) return -compare_end(q.end, p.cutter);
+  return kernel.compare_along(s, p.cutter, q.cutter);
 }
 
 /// Tests pairs of lines in one bucket.
@@ -78,14 +98,19 @@ class Pairs {
   Pairs(const Scene<Kernel>& scene, std::size_t bucket, Meetings& found)
       : scene_(scene), kernel_(scene.kernel), bucket_(bucket), found_(found) {}
 
-  /// A crossing is computed in the same way in every bucket, so just one of them holds it.
   void test(LineId s, LineId o) {
     if (o < s) std::swap(s, o);
     const Relation r = kernel_.relate(s, o);
-    if (r.apart()) return;
+    if (!r.apart()) record(s, o, r);
+  }
+
+  /// Records what two lines have in common, if it is in this bucket. A crossing is computed in the
+  /// same way in every bucket, so just one of them holds it. `r`: of the lesser line to the
+  /// greater.
+  void record(LineId s, LineId o, const Relation& r) {
+    if (o < s) std::swap(s, o);
     if (r.cross()) {
-      const PointD p = scene_.at(s, r.at_s);
-      if (is_here(p)) add_crossing(found_, s, o, r.at_s, r.at_o, r.b_to_s);
+      if (is_here(scene_.at(s, r.at_s))) add_crossing(s, o, r);
       return;
     }
     const bool s_is_point = kernel_.is_point(s), o_is_point = kernel_.is_point(o);
@@ -98,6 +123,16 @@ class Pairs {
     if (!o_is_point) {
       if (r.a_to_o == 0) touch(o, first_end(s));
       if (r.b_to_o == 0 && !s_is_point) touch(o, last_end(s));
+    }
+  }
+
+  /// Records a crossing, the second line turning counter-clockwise from the first.
+  void add_crossing(LineId s, LineId o, const Relation& r) {
+    if (o < s) std::swap(s, o);
+    if (r.b_to_s > 0) {
+      found_.crossings.push_back({{s, o}, r.at_s, r.at_o});
+    } else {
+      found_.crossings.push_back({{o, s}, r.at_o, r.at_s});
     }
   }
 
