@@ -15,10 +15,11 @@ layer(complex     error number geometry boundary)
 layer(boundary    error number geometry complex)         # a second header of src/complex
 layer(arrange     error number geometry structure read complex cgal)
 layer(cgal        error number geometry complex arrange) # plumbline/cgal.hpp and CGAL itself
-layer(lar         error number geometry complex)         # never arrange, never CGAL
+layer(lar         error number geometry complex published) # never arrange, never CGAL
+layer(published   error number geometry complex lar) # a second header of src/lar
 layer(triangulate error number geometry complex cgal)
 layer(round       error number geometry complex cgal)
-layer(crosscheck  error number geometry structure read complex boundary arrange lar)
+layer(crosscheck  error number geometry structure read complex boundary arrange lar published)
 layer(write       ${may_crosscheck} triangulate round)
 layer(report      ${may_write})
 layer(plumbline   ${may_report})                         # the umbrella header

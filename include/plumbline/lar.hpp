@@ -28,6 +28,14 @@ struct Options {
   std::optional<double> radius;
 };
 
+/// A straight segment with double ends.
+struct SegmentD {
+  PointD a;
+  PointD b;
+
+  friend bool operator==(const SegmentD&, const SegmentD&) = default;
+};
+
 using Box = std::array<double, 4>;  ///< xmin, ymin, xmax, ymax
 
 /// A graph (V, EV) in the plane. An isolated input point is an edge from its vertex to itself that

@@ -7,27 +7,15 @@
 #include <optional>
 
 #include "lar/stages.hpp"
+#include "lar/threshold.hpp"
 
 namespace plumbline::lar {
 namespace {
 
-using Bucket = std::vector<EdgeId>;
-
 constexpr std::size_t kSmallBucket = 4;  ///< published: fewer members are not split
 constexpr std::size_t kLeastDrop = 7;    ///< published: a half must have this many members less
 
-struct Halves {
-  Bucket below;
-  Bucket above;
-};
-
 double center(const Box& box, std::size_t axis) { return box[axis] / 2 + box[axis + 2] / 2; }
-
-double centroid(std::span<const Box> boxes, const Bucket& bucket, std::size_t axis) {
-  double sum = 0;
-  for (EdgeId e : bucket) sum += center(boxes[e], axis);
-  return sum / static_cast<double>(bucket.size());
-}
 
 double median(std::span<const Box> boxes, const Bucket& bucket, std::size_t axis) {
   std::vector<double> centers;
@@ -35,16 +23,6 @@ double median(std::span<const Box> boxes, const Bucket& bucket, std::size_t axis
   const auto middle = centers.begin() + static_cast<std::ptrdiff_t>(centers.size() / 2);
   std::nth_element(centers.begin(), middle, centers.end());
   return *middle;
-}
-
-Halves split_on_threshold(std::span<const Box> boxes, const Bucket& bucket, std::size_t axis,
-                          double threshold) {
-  Halves halves;
-  for (EdgeId e : bucket) {
-    if (boxes[e][axis] <= threshold) halves.below.push_back(e);
-    if (boxes[e][axis + 2] >= threshold) halves.above.push_back(e);
-  }
-  return halves;
 }
 
 bool pays(const Halves& halves, std::size_t members) {

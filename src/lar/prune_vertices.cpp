@@ -2,47 +2,14 @@
 // union-find, each class contracted to its centroid.
 
 #include <algorithm>
-#include <nanoflann.hpp>
 
 #include "lar/crowds.hpp"
-#include "lar/points.hpp"
+#include "lar/near_points.hpp"
 #include "lar/stages.hpp"
 #include "lar/union_find.hpp"
 
 namespace plumbline::lar {
 namespace {
-
-/// The points as nanoflann wants to see them.
-struct Cloud {
-  std::span<const PointD> points;
-
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return axis == 0 ? points[i].x : points[i].y;
-  }
-  template <class BoundingBox>
-  bool kdtree_get_bbox(BoundingBox&) const {
-    return false;
-  }
-};
-using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t>;
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, 2, std::uint32_t>;
-
-/// Unites a point with all that are near it, as the tree's search reports them.
-struct UniteNear {
-  std::span<const PointD> points;
-  std::size_t point;
-  double radius;
-  UnionFind& classes;
-
-  bool full() const { return true; }
-  /// A little more than the squared radius: the tree adds up its distances with rounding.
-  double worstDist() const { return radius * radius * (1 + 1e-6); }
-  bool addPoint(double, std::uint32_t other) {
-    if (near(points[point], points[other], radius)) classes.unite(point, other);
-    return true;
-  }
-};
 
 /// The mean, relative to the first member so that what members have in common stays exact.
 PointD centroid(std::span<const PointD> points, std::span<const VertexId> members) {
@@ -58,12 +25,9 @@ PointD centroid(std::span<const PointD> points, std::span<const VertexId> member
 
 /// Unites every point with all that are near it, except where a crowd spares the search.
 void unite_near(std::span<const PointD> points, double radius, UnionFind& classes) {
-  const Cloud cloud{points};
-  const Tree tree(2, cloud);
+  const NearPoints near_points(points, radius);
   const auto search = [&](std::size_t i) {
-    UniteNear found{points, i, radius, classes};
-    const double query[2] = {points[i].x, points[i].y};
-    tree.findNeighbors(found, query, nanoflann::SearchParams());
+    near_points.for_each(i, [&](std::size_t other) { classes.unite(i, other); });
   };
   Crowds crowds(points, radius, classes);
   // One point of each crowd first, which unites most that there is to unite.

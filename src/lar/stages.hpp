@@ -35,12 +35,6 @@ std::vector<Box> containment_boxes(const Graph& graph, double margin);
 /// boxes are small. Section 2.1.
 Lists<EdgeId> box_buckets(std::span<const Box> boxes);
 
-/// A straight segment with double ends.
-struct SegmentD {
-  PointD a;
-  PointD b;
-};
-
 /// Where two segments cut each other.
 struct Meeting {
   std::vector<Cut> on_first;

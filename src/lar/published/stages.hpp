@@ -1,0 +1,114 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lar/published/vcode.hpp"
+#include "plumbline/published.hpp"
+
+/// The stages of the published pipeline in their order, each a pure function on doubles, named
+/// after the original's. "Section" is that of Paoluzzi, "Accelerated intersection of geometric
+/// objects", November 2015; the ids in brackets are those of the divergence catalogue,
+/// docs/divergences.md.
+namespace plumbline::lar::published {
+
+/// Thrown by a stage where the original crashed or ran for ever; caught by `run`.
+struct StageFailure {
+  Failure failure;
+};
+/// Throws StageFailure. The stage is filled in by `run`.
+[[noreturn]] void fail(const char* error, const char* message, const char* function);
+
+/// The quantised containment box of every segment (containment2DBoxes). Section 2.1.
+std::vector<Box> containment_boxes(std::span<const SegmentD> lines, const Vcode& vcode);
+
+/// Per box the others that share a final bucket with it, ascending (boxBuckets, geomPartitionate):
+/// every bucket is split at the 1D centroid in y, each half in x; a half's parts are final when
+/// both have fewer than four members or one drops fewer than seven. Fails where the centroid of
+/// equal values is above them by rounding, and for no boxes (I9). Section 2.1.
+Lists<SegmentId> box_buckets(std::span<const Box> boxes);
+
+/// Result of `line_intersection`.
+struct Intersections {
+  std::vector<PointD> points;
+  std::vector<Fragment> fragments;
+};
+/// Brute force within the buckets (segmentIntersect, lineBucketIntersect, lineIntersection): each
+/// pair twice, with unquantised coordinates; parameters compared exactly with 0 and 1 after a
+/// product with the reciprocal of the determinant (I3 to I5), parallel segments never cut (I1, I2),
+/// parameters quantised (I6, Q3). Fragments in the order of a dictionary. Section 2.2.
+Intersections line_intersection(std::span<const SegmentD> lines, std::span<const Box> boxes,
+                                const Lists<SegmentId>& buckets, const Vcode& vcode);
+
+/// Result of `split`.
+struct Split {
+  Model model;
+  std::size_t edge_count_with_duplicates = 0;
+};
+/// The 1-complex of the fragments' pieces (first part of lines2lar): vertices are equal where their
+/// quantised texts are, numbered by first use. Section 2.3.
+Split split(std::span<const Fragment> fragments, const Vcode& vcode);
+
+/// The quotient by the transitive closure of nearness (pruneVertices; Q1, Q2). Section 2.9.
+Pruned prune_vertices(std::span<const PointD> vertices, double radius);
+
+/// Edges over the merged vertices, without those that became a point, each once (larSimplify), in
+/// the order of a set; but where the first raw edge is a point, points stay (I10). Section 2.9.
+Model simplify(const Model& raw, const Pruned& pruned);
+
+struct Biconnected {
+  std::vector<std::vector<VertexPair>> components;
+  std::vector<VertexPair> bridges;
+};
+/// Hopcroft-Tarjan from vertex 0 up, neighbours ascending (biconnectedComponent). Bridges, which
+/// the original drops, ascending. Fails for no edges (I7). Without recursion (F7). Section 2.4.
+Biconnected biconnected_components(const Model& model);
+
+/// Edges over vertices renumbered by first use, their coordinates quantised (larRemoveVertices).
+Model remove_vertices(std::span<const PointD> vertices, std::span<const VertexPair> edges,
+                      const Vcode& vcode);
+
+/// Per vertex the edges around it, counter-clockwise by slope (edgeSlopeOrdering). Section 2.5.
+Lists<EdgeId> edge_slope_ordering(const Model& model);
+
+/// The faces of the model (facesFromComps): a walk goes to the next edge counter-clockwise and ends
+/// when its first vertex comes back (F4). Edges in the order of a set. Aborts (Q6) or fails with
+/// NoTermination (Q4, F4) where merging has made the model non-planar. Section 2.5.
+Faces faces_from_components(const Model& model);
+
+/// Absolute areas in single precision (surfIntegration; F6). Section 2.8.
+std::vector<double> surface_integration(const Model& model);
+
+/// The face traversal of the component with most edges, the first of equals (F1, F2).
+Faces largest_component_faces(const Model& lar, std::span<const std::vector<VertexPair>> components,
+                              const Vcode& vcode);
+/// Its faces by area without the last (larFromLines). Section 2.8.
+Model without_exterior(const Faces& largest);
+/// All components together; interior are the faces whose area is not the largest (F5). Fails where
+/// there is no component (F8). Section 4, tests 08 and 09.
+AllComponents all_component_faces(const Model& lar,
+                                  std::span<const std::vector<VertexPair>> components,
+                                  const Vcode& vcode);
+
+/// The closed walks of all edges (boundaryCycles), which must form simple cycles: else it fails
+/// (P6). Section 2.12.
+std::vector<SignedCycle> boundary_cycles(std::span<const VertexPair> edges);
+
+/// The cycle or cycles of edges as closed polylines of quantised points (boundaryPolylines; P8).
+/// Section 2.12.
+std::vector<Polyline> boundary_polylines(std::span<const PointD> vertices,
+                                         std::span<const VertexPair> edges, const Vcode& vcode);
+
+enum class Classification { Out, In, On };
+/// Where the point lies relative to the region within the polylines, by tile codes
+/// (pointInPolygonClassification, setTile). Half crossings never count (P1, P2). Section 2.10.
+Classification classify(std::span<const Polyline> polygon, const PointD& point);
+
+/// Section 2.6 (latticeArray; P4, P5). Fails where a cycle is not simple (P6).
+LatticeArray lattice_array(std::span<const PointD> vertices,
+                           std::span<const std::vector<VertexPair>> cycles, const Vcode& vcode);
+
+/// Cells of solid and void by turns (cellsFromCycles; P7). Section 2.6.
+CycleCells cells_from_cycles(const LatticeArray& lattice);
+
+}  // namespace plumbline::lar::published
