@@ -9,6 +9,7 @@
 #include "plumbline/geometry.hpp"
 #include "plumbline/lar.hpp"
 #include "plumbline/number.hpp"
+#include "plumbline/published.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/report.hpp"
 #include "plumbline/structure.hpp"
