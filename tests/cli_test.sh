@@ -40,7 +40,7 @@ expect "help shows the commands and an example" 0 'arrange.*check.*info' "$plumb
 expect "each command's help has an example" 0 'plumbline check plan.svg --radius' "$plumbline" check --help
 expect "the version is told" 0 '^plumbline [0-9]+\.[0-9]+\.[0-9]+$' "$plumbline" --version
 expect "no command is a usage error" 2 'subcommand' "$plumbline"
-expect "an unknown command names the known ones" 2 'unknown command.*arrange, check, info.*"chek"' "$plumbline" chek x.svg
+expect "an unknown command names the known ones" 2 'unknown command.*arrange, check, info, lar.*"chek"' "$plumbline" chek x.svg
 expect "an unknown option is a usage error" 2 'radios' "$plumbline" check a.svg --radios 1
 expect "a missing file is said by name" 2 'none\.svg' "$plumbline" info none.svg
 expect "a directory is no drawing" 2 'plumbline: ' "$plumbline" info .
@@ -82,7 +82,22 @@ expect "info names overlaps and antennas" 0 '3 pairs of different segments.*100 
 expect "both engines agree on a drawing" 0 '370 vertices' "$plumbline" arrange "$examples/office-plan.svg" --engine cgal --verify
 expect "an unknown engine is a usage error" 2 'engine' "$plumbline" info "$examples/dwelling.svg" --engine fast
 printf '0,0,4,0\n4,0,4,4\n4,4,0,0\n' >c.lines
+: >empty.lines
+echo '1,1,5,1' >flat.lines
 expect "lines files are drawings" 0 '3 vertices, 3 edges .0 antennas., 2 faces' "$plumbline" arrange c.lines
+expect "the float pipeline runs as repaired" 0 'repaired.*3 vertices, 3 edges .0 antennas., 2 faces' "$plumbline" lar c.lines
+expect "and as published" 0 'published: 4 decimals.*larFromLines 3 vertices, 3 edges, 1 faces' "$plumbline" lar c.lines --variant published --trace t.json
+expect "its trace has the original's keys" 0 'larFromLines' grep larFromLines t.json
+expect "a stage that fails is told, with its function" 2 'fails on this drawing.*buckets: IndexError in centroid' "$plumbline" lar empty.lines --variant published
+expect "an unknown variant names the known ones" 2 'published' "$plumbline" lar c.lines --variant best
+expect "decimals are the published variant's" 2 'published' "$plumbline" lar c.lines --decimals 3
+expect "too many decimals are refused" 2 '12.*"13"' "$plumbline" lar c.lines --variant published --decimals 13
+expect "the published radius is positive" 2 'radius.*"0"' "$plumbline" lar c.lines --variant published --radius 0
+expect "a picture shows components" 0 'wrote p.svg' "$plumbline" lar c.lines --show components -o p.svg
+expect "an unknown picture names the known ones" 2 'pruning' "$plumbline" lar c.lines --show rooms -o p.svg
+expect "the unit square is for drawings with extent, as published" 2 'width and height' "$plumbline" lar flat.lines --variant published --unit-square
+expect "and for all drawings, as repaired" 0 '2 vertices, 1 edges' "$plumbline" lar flat.lines --unit-square
+rm -f t.json p.svg empty.lines flat.lines
 if [[ -e /dev/full ]]; then
   expect "a full disk is an error" 2 'standard output' bash -c "'$plumbline' info c.lines >/dev/full"
 fi

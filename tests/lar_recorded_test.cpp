@@ -117,3 +117,24 @@ TEST_CASE("points are classified as the original classified them") {
     CHECK(letters(found) == recorded_case["classification"].GetString());
   }
 }
+
+TEST_CASE("SVG text is read as the original read it") {
+  const rapidjson::Document cases = recorded("svg2lines.json");
+  CHECK(cases.Size() == 16);
+  const Vcode vcode(kDecimals);
+  for (const auto& recorded_case : cases.GetArray()) {
+    INFO(recorded_case["case"].GetString());
+    const std::string svg = recorded_case["svg"].GetString();
+    if (!recorded_case["errors"].IsNull()) {
+      try {
+        svg_to_lines(svg, true, vcode);
+        FAIL("no failure");
+      } catch (const StageFailure& failed) {
+        CHECK(failed.failure.error == recorded_case["errors"]["error"].GetString());
+      }
+      continue;
+    }
+    CHECK(svg_to_lines(svg, true, vcode) == recorded_lines(recorded_case["lines"]));
+    CHECK(svg_to_lines(svg, false, vcode) == recorded_lines(recorded_case["diagonals"]));
+  }
+}

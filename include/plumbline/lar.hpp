@@ -108,4 +108,9 @@ struct Result {
 /// double.
 Result arrange(const SegmentSet& input, const Options& options = {});
 
+/// The drawing mapped onto the unit square: the longer side of its box becomes 1, the left edge 0,
+/// the top 1; y is turned upwards. **Exact**. Degenerate: a drawing without extent is only moved.
+/// Section 4 (SVG input normalization).
+SegmentSet to_unit_square(const SegmentSet& input);
+
 }  // namespace plumbline::lar

@@ -106,6 +106,7 @@ struct AllComponents {
 /// The output of every stage, in their order; none where a stage failed or had nothing to work on.
 struct Trace {
   Options options;
+  std::vector<SegmentD> lines;              ///< the input
   std::vector<Box> boxes;                   ///< per segment, quantised
   Lists<SegmentId> buckets;                 ///< per segment, the others that share a bucket
   std::vector<PointD> intersection_points;  ///< quantised, ascending
@@ -130,6 +131,11 @@ struct Trace {
 
 /// The segments in doubles, in their order, neither made unique nor turned.
 std::vector<SegmentD> lines(const SegmentSet& input);
+
+/// The segments mapped to the unit square and quantised as the original's SVG input: the longer
+/// side becomes 1, the shorter one starts at 0, the top is 1, y is turned upwards. Throws: Error
+/// BadInput for a drawing without width or height, by which the original divides.
+std::vector<SegmentD> lines_on_unit_square(const SegmentSet& input, int decimals = kDecimals);
 
 /// Runs the published pipeline (section 2.8, `larFromLines`, and what the document's tests do with
 /// its stages). Degenerate: what the original cannot do is a failure in the trace, and the stages

@@ -22,6 +22,28 @@ std::string to_svg(const ExactComplex& complex);
 /// outputs have. Documented in docs/json.md.
 std::string to_json(const lar::published::Trace& trace);
 
+/// The same of the repaired pipeline, with these keys where the stages are the same.
+std::string to_json(const lar::Result& result);
+
+/// What a picture of the float pipeline shows.
+enum class LarShow {
+  Buckets,     ///< the segments, in the colour of the first bucket that holds them
+  Components,  ///< biconnected components in colours, bridges and dangling edges dashed
+  Faces,       ///< the faces of the result in colours
+  Explode,     ///< the same, pulled apart
+  Numbers,     ///< the numbers of vertices, edges and faces
+  Pruning,     ///< vertices before merging, clusters with their radii and centroids
+};
+struct LarPicture {
+  LarShow show = LarShow::Faces;
+  double explode = 1.2;  ///< factor of the exploded view
+  bool y_up = false;     ///< whether y runs upwards
+};
+/// A picture of either variant as SVG. Colours depend on the numbers of the cells alone. Throws:
+/// Error BadInput for a factor below 1.
+std::string to_svg(const lar::Result& result, const LarPicture& options = {});
+std::string to_svg(const lar::published::Trace& trace, const LarPicture& options = {});
+
 /// Writes a file whole or not at all: to a temporary beside it, then renamed. Throws: Error
 /// BadFile.
 void write_file(const std::filesystem::path& file, std::string_view content);

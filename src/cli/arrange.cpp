@@ -10,7 +10,7 @@ namespace plumbline::cli {
 ExitCode run(const ArrangeArguments& arguments) {
   check_outputs(arguments.file, {{arguments.output, {".json", ".svg"}}});
   const Drawing drawing = load(arguments);
-  fmt::print("{}\n", counts_line(drawing.complex));
+  fmt::print("{}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
   fmt::print("{} segments, {} rejected\n{}", drawing.input.segments.size(),
              drawing.input.rejected.size(), rejected_lines(drawing.input));
   fmt::print("{}\nsignature {}\n", exactness_line(drawing.input), signature(drawing.complex));

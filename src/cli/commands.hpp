@@ -4,6 +4,7 @@
 #include <string>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/write.hpp"
 
 namespace plumbline::cli {
 
@@ -31,9 +32,21 @@ struct CheckArguments : DrawingArguments {
 
 struct InfoArguments : DrawingArguments {};
 
+struct LarArguments {
+  std::string file;
+  bool is_published = false;
+  bool unit_square = false;
+  std::optional<int> decimals;
+  std::optional<double> radius;
+  LarPicture picture;
+  std::optional<std::string> trace;
+  std::optional<std::string> output;
+};
+
 /// Each command prints to standard output and returns its exit code. Throws: Error.
 ExitCode run(const ArrangeArguments& arguments);
 ExitCode run(const CheckArguments& arguments);
 ExitCode run(const InfoArguments& arguments);
+ExitCode run(const LarArguments& arguments);
 
 }  // namespace plumbline::cli

@@ -80,7 +80,7 @@ ExitCode run(const InfoArguments& arguments) {
   fmt::print("exactness    {}\n", exactness_line(drawing.input));
   print_extent(drawing.complex);
   print_repetitions(drawing);
-  fmt::print("arrangement  {}\n", counts_line(drawing.complex));
+  fmt::print("arrangement  {}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
   print_features(drawing.complex);
   fmt::print("signature    {}\n", signature(drawing.complex));
   return kAgree;

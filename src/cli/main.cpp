@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <new>
 
 #include "cli/commands.hpp"
@@ -13,7 +14,8 @@ constexpr const char* kDescription =
     "Exact planar arrangements of drawings, and a verdict on the float LAR result.\n\n"
     "  plumbline info plan.svg\n"
     "  plumbline arrange plan.svg -o plan.json\n"
-    "  plumbline check plan.svg --picture check.svg\n";
+    "  plumbline check plan.svg --picture check.svg\n"
+    "  plumbline lar plan.svg --show components -o components.svg\n";
 constexpr const char* kExitCodes =
     "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input or usage, 3 "
     "internal.";
@@ -44,13 +46,53 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
   return command;
 }
 
+void add_lar_command(CLI::App& app, LarArguments& arguments, ExitCode& exit_code) {
+  const std::map<std::string, bool> variants{{"published", true}, {"repaired", false}};
+  const std::map<std::string, LarShow> pictures{
+      {"buckets", LarShow::Buckets}, {"components", LarShow::Components},
+      {"faces", LarShow::Faces},     {"explode", LarShow::Explode},
+      {"numbers", LarShow::Numbers}, {"pruning", LarShow::Pruning}};
+  CLI::App* command =
+      app.add_subcommand("lar", "The float LAR pipeline, stage by stage, as published or repaired");
+  command->footer("Example: plumbline lar plan.svg --variant published --trace plan.json");
+  command->add_option("FILE", arguments.file, kFile)->required()->type_name("");
+  command->add_option("--variant", arguments.is_published, "repaired (the default) or published")
+      ->transform(CLI::CheckedTransformer(variants).description(""))
+      ->type_name("VARIANT");
+  command
+      ->add_option("--decimals", arguments.decimals,
+                   "Decimals of the published variant's coordinates and parameters [default: 4]")
+      ->type_name("N");
+  command
+      ->add_option("--radius", arguments.radius,
+                   "Vertices no further apart than this are merged [default: published 0.001, "
+                   "repaired 0.001 x the drawing's longer side]")
+      ->type_name("R");
+  command->add_flag("--unit-square", arguments.unit_square,
+                    "Map the drawing to the unit square first, y upwards, as published for SVG");
+  command->add_option("--trace", arguments.trace, "Write the output of every stage to a JSON file")
+      ->type_name("FILE");
+  command
+      ->add_option("--show", arguments.picture.show,
+                   "What -o draws: buckets, components, faces (the default), explode, numbers, "
+                   "pruning")
+      ->transform(CLI::CheckedTransformer(pictures, CLI::ignore_case).description(""))
+      ->type_name("WHAT");
+  command->add_option("--factor", arguments.picture.explode, "Of --show explode [default: 1.2]")
+      ->type_name("F");
+  command->add_option("-o,--output", arguments.output, "Write a picture to an SVG file")
+      ->type_name("FILE");
+  command->callback([&] { exit_code = run(arguments); });
+}
+
 /// CLI11 would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const std::string command = argv[1];
-  if (command == "arrange" || command == "check" || command == "info") return;
-  throw Error(ErrorCode::BadInput, "unknown command (the commands are arrange, check, info)", {},
-              command);
+  for (const char* known : {"arrange", "check", "info", "lar"})
+    if (command == known) return;
+  throw Error(ErrorCode::BadInput, "unknown command (the commands are arrange, check, info, lar)",
+              {}, command);
 }
 
 ExitCode parse_and_run(int argc, char** argv) {
@@ -91,6 +133,9 @@ ExitCode parse_and_run(int argc, char** argv) {
   InfoArguments info;
   add_command(app, info, "info", "What a drawing holds: counts, extent, repetitions, feature size",
               "Example: plumbline info plan.svg", exit_code);
+
+  LarArguments lar;
+  add_lar_command(app, lar, exit_code);
 
   try {
     refuse_unknown_command(argc, argv);

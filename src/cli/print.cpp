@@ -7,8 +7,8 @@
 
 namespace plumbline::cli {
 
-std::string counts_line(const ExactComplex& complex) {
-  const Counts c = counts(complex, complex.vertices.size());
+std::string counts_line(const Incidences& complex, std::size_t vertices) {
+  const Counts c = counts(complex, vertices);
   return fmt::format(
       "{} vertices, {} edges ({} antennas), {} faces with {} holes, {} components, depth {}",
       c.vertices, c.edges, c.antennas, c.faces, c.holes, c.components, c.depth);

@@ -6,8 +6,8 @@
 
 namespace plumbline::cli {
 
-/// "V 12 E 13 F 3 (2 rooms ...)": one line on the complex.
-std::string counts_line(const ExactComplex& complex);
+/// "12 vertices, 13 edges (0 antennas), ...": one line on the complex.
+std::string counts_line(const Incidences& complex, std::size_t vertices);
 /// What was refused, grouped by element and reason, with the first lines; "" if nothing was.
 std::string rejected_lines(const SegmentSet& input);
 /// Whether every coordinate is what the file says, or what was replaced.

@@ -1,76 +1,12 @@
 // The trace of the published LAR pipeline as JSON, with the keys of the original's outputs.
 
 #include "plumbline/write.hpp"
-#include "write/json_writer.hpp"
+#include "write/trace_writer.hpp"
 
 namespace plumbline {
 namespace {
 
 using namespace lar::published;
-
-/// JSON values of the types of a trace.
-class TraceWriter : public JsonWriter {
- public:
-  void value(double number) { JsonWriter::number(number); }
-  void value(int number) { Int(number); }
-  void value(std::size_t number) { count(number); }
-  void value(std::ptrdiff_t number) { Int64(number); }
-  template <class Tag>
-  void value(Index<Tag> index) {
-    count(index);
-  }
-  void value(const PointD& p) { values(std::array{p.x, p.y}); }
-  void value(const lar::SegmentD& s) { values(std::array{s.a, s.b}); }
-  template <class T>
-  void value(const std::vector<T>& list) {
-    values(list);
-  }
-  template <class T>
-  void value(std::span<const T> list) {
-    values(list);
-  }
-  template <class T, std::size_t n>
-  void value(const std::array<T, n>& list) {
-    values(list);
-  }
-  template <class T>
-  void value(const Lists<T>& lists) {
-    StartArray();
-    for (std::size_t i = 0; i < lists.size(); ++i) value(lists[i]);
-    EndArray();
-  }
-  template <class T>
-  void value(const Outcome<T>& outcome) {
-    if (outcome.value) {
-      value(*outcome.value);
-    } else {
-      value(*outcome.failure);
-    }
-  }
-  void value(const Failure& failure) {
-    StartObject();
-    Key("error");
-    text(failure.error);
-    Key("message");
-    text(failure.message);
-    Key("in");
-    text(failure.function);
-    EndObject();
-  }
-  template <class T>
-  void member(const char* key, const T& content) {
-    Key(key);
-    value(content);
-  }
-
- private:
-  template <class Range>
-  void values(const Range& range) {
-    StartArray();
-    for (const auto& item : range) value(item);
-    EndArray();
-  }
-};
 
 void write_intersections(TraceWriter& json, const Trace& trace) {
   json.member("buckets", trace.buckets);
@@ -199,6 +135,10 @@ std::string to_json(const Trace& trace) {
   json.text("published");
   json.member("decimals", trace.options.decimals);
   json.member("radius", trace.options.radius);
+  json.Key("input");
+  json.StartObject();
+  json.member("lines", trace.lines);
+  json.EndObject();
   json.Key("outputs");
   json.StartObject();
   write_outputs(json, trace);

@@ -122,16 +122,30 @@ std::vector<SegmentD> lines(const SegmentSet& input) {
   return result;
 }
 
+std::vector<SegmentD> lines_on_unit_square(const SegmentSet& input, int decimals) {
+  check({decimals, kRadius});
+  const std::vector<SegmentD> drawn = lines(input);
+  if (drawn.empty()) return {};
+  try {
+    return to_unit_square(drawn, Vcode(decimals));
+  } catch (const StageFailure& failed) {
+    throw Error(ErrorCode::BadInput,
+                "the published map to the unit square needs a drawing with width and height", {},
+                failed.failure.message);
+  }
+}
+
 Trace run(std::vector<SegmentD> lines, const Options& options) {
   check(options);
-  const Vcode vcode(options.decimals);
   Trace trace;
+  const Vcode vcode(options.decimals);
   trace.options = options;
-  trace.boxes = containment_boxes(lines, vcode);
+  trace.lines = std::move(lines);
+  trace.boxes = containment_boxes(trace.lines, vcode);
   const bool in_buckets =
       attempt(trace, "buckets", [&] { trace.buckets = box_buckets(trace.boxes); });
   if (!in_buckets) return trace;
-  Intersections found = line_intersection(lines, trace.boxes, trace.buckets, vcode);
+  Intersections found = line_intersection(trace.lines, trace.boxes, trace.buckets, vcode);
   trace.intersection_points = std::move(found.points);
   trace.fragments = std::move(found.fragments);
   Split pieces = split(trace.fragments, vcode);

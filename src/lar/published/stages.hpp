@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "lar/published/vcode.hpp"
@@ -18,6 +19,18 @@ struct StageFailure {
 };
 /// Throws StageFailure. The stage is filled in by `run`.
 [[noreturn]] void fail(const char* error, const char* message, const char* function);
+
+/// Lines and rectangles of SVG text, mapped to the unit square (svg2lines): elements that stand on
+/// a text line of their own and have their attributes in the one order that the patterns know (S2
+/// to S5, S7); integers divide as integers (S1). Rectangles as four sides or as one diagonal. Fails
+/// where no element matches (SyntaxError) or there is none (TypeError), and as below. Section 4.
+std::vector<SegmentD> svg_to_lines(std::string_view svg, bool rectangles_as_sides,
+                                   const Vcode& vcode);
+
+/// The window-to-viewport map of svg2lines: the longer side becomes 1, the shorter one is not
+/// centred, y is turned upwards; quantised. Fails for a drawing without width or height (S6,
+/// ZeroDivisionError).
+std::vector<SegmentD> to_unit_square(std::span<const SegmentD> segments, const Vcode& vcode);
 
 /// The quantised containment box of every segment (containment2DBoxes). Section 2.1.
 std::vector<Box> containment_boxes(std::span<const SegmentD> lines, const Vcode& vcode);

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/outputs.hpp"
+#include "cli/print.hpp"
+#include "cli/progress.hpp"
+#include "plumbline/error.hpp"
+#include "plumbline/plumbline.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+namespace published = lar::published;
+
+std::string plural(std::size_t n, const char* noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
+std::string sizes(std::span<const std::size_t> edges_of_components) {
+  constexpr std::size_t kShown = 8;
+  if (edges_of_components.empty()) return "no cycle";
+  const auto shown = edges_of_components.first(std::min(kShown, edges_of_components.size()));
+  return fmt::format("{} of {}{} edges", plural(edges_of_components.size(), "component"),
+                     fmt::join(shown, ", "),
+                     shown.size() < edges_of_components.size() ? ", ..." : "");
+}
+
+void print(const published::Trace& trace) {
+  fmt::print("variant      published: {} decimals, radius {}\n", trace.options.decimals,
+             shortest_text(trace.options.radius));
+  fmt::print("lines        {}, {}\n", plural(trace.lines.size(), "segment"),
+             plural(trace.intersection_points.size(), "intersection point"));
+  fmt::print("lar          {} vertices, {} edges, {} clusters merged\n", trace.lar.vertices.size(),
+             trace.lar.edges.size(), trace.prune.clusters.size());
+  std::vector<std::size_t> edges;
+  for (const auto& component : trace.components) edges.push_back(component.size());
+  fmt::print("biconnected  {}; {} in no cycle\n", sizes(edges),
+             plural(trace.bridges.size(), "edge"));
+  if (trace.lar_from_lines) {
+    const published::Model& model = *trace.lar_from_lines;
+    fmt::print("larFromLines {} vertices, {} edges, {} faces{}\n", model.vertices.size(),
+               model.edges.size(), model.faces.size(),
+               trace.largest->aborted ? ", the rest missing: the walk aborted" : "");
+  } else {
+    fmt::print("larFromLines none\n");
+  }
+  for (const published::Failure& failure : trace.failures) {
+    fmt::print("failed       {}: {} in {}: {}\n", failure.stage, failure.error, failure.function,
+               failure.message);
+  }
+}
+
+void print(const lar::Result& result) {
+  const lar::Trace& trace = result.trace;
+  const lar::Graph& graph = trace.rounds.back().simplified;
+  std::size_t clusters = 0, cuts = 0;
+  for (const lar::Round& round : trace.rounds) {
+    clusters += round.pruning.clusters.size();
+    cuts += round.cuts.flat().size();
+  }
+  fmt::print("variant      repaired: radius {}\n", shortest_text(trace.radius));
+  fmt::print("lines        {} distinct segments, {}, {}{}\n", trace.drawing.edges.size(),
+             plural(cuts, "cut"), plural(trace.rounds.size(), "round"),
+             trace.settled ? "" : ", not settled");
+  fmt::print("lar          {} vertices, {} edges, {} clusters merged\n", graph.vertices.size(),
+             graph.edges.size(), clusters);
+  std::vector<std::size_t> edges;
+  for (std::size_t c = 0; c < trace.biconnected.size(); ++c) {
+    edges.push_back(trace.biconnected[c].size());
+  }
+  fmt::print("biconnected  {}; {} in no cycle\n", sizes(edges),
+             plural(trace.bridges.size(), "edge"));
+  fmt::print("complex      {}\n", counts_line(result.complex, result.complex.vertices.size()));
+}
+
+/// Whether the published pipeline has an answer, which may be that there is no face.
+bool has_result(const published::Trace& trace) {
+  return trace.lar_from_lines || (trace.components.empty() && !trace.bridges.empty());
+}
+
+template <class Result>
+void write_outputs(const LarArguments& arguments, const Result& result) {
+  if (arguments.trace) write_file(*arguments.trace, to_json(result));
+  LarPicture picture = arguments.picture;
+  picture.y_up = arguments.unit_square;
+  if (arguments.output) write_file(*arguments.output, to_svg(result, picture));
+  print(result);
+  for (const auto& file : {arguments.trace, arguments.output})
+    if (file) fmt::print("wrote {}\n", *file);
+}
+
+ExitCode run_published(const LarArguments& arguments, const SegmentSet& input) {
+  published::Options options;
+  options.decimals = arguments.decimals.value_or(published::kDecimals);
+  options.radius = arguments.radius.value_or(published::kRadius);
+  const published::Trace trace = [&] {
+    const Progress progress("running the published float LAR pipeline");
+    return published::run(arguments.unit_square
+                              ? published::lines_on_unit_square(input, options.decimals)
+                              : published::lines(input),
+                          options);
+  }();
+  write_outputs(arguments, trace);
+  if (has_result(trace)) return kAgree;
+  throw Error(ErrorCode::BadInput, "the published pipeline fails on this drawing",
+              {arguments.file, 0, 0}, trace.failures.empty() ? "" : trace.failures.front().message);
+}
+
+ExitCode run_repaired(const LarArguments& arguments, const SegmentSet& input) {
+  if (arguments.decimals) {
+    throw Error(ErrorCode::BadInput,
+                "decimals are the published variant's; this one rounds to doubles");
+  }
+  const lar::Result result = [&] {
+    const Progress progress("running the float LAR pipeline");
+    return lar::arrange(arguments.unit_square ? lar::to_unit_square(input) : input,
+                        {arguments.radius});
+  }();
+  write_outputs(arguments, result);
+  return kAgree;
+}
+
+}  // namespace
+
+ExitCode run(const LarArguments& arguments) {
+  check_outputs(arguments.file, {{arguments.trace, {".json"}}, {arguments.output, {".svg"}}});
+  const SegmentSet input = [&] {
+    const Progress progress("reading " + arguments.file);
+    return evaluate(read(arguments.file));
+  }();
+  fmt::print("drawing      {}: {} segments, {} rejected\n{}", arguments.file, input.segments.size(),
+             input.rejected.size(), rejected_lines(input));
+  return arguments.is_published ? run_published(arguments, input) : run_repaired(arguments, input);
+}
+
+}  // namespace plumbline::cli

@@ -1,0 +1,121 @@
+// Traces of the float pipeline as JSON, and its pictures.
+
+#include <catch2/catch.hpp>
+#include <pugixml.hpp>
+#include <set>
+
+#include "plumbline/write.hpp"
+#include "support/recorded.hpp"
+#include "support/segments.hpp"
+
+using namespace plumbline;
+namespace published = plumbline::lar::published;
+
+namespace {
+
+/// Two rooms, a hole in one, a dangling edge.
+const std::string kRooms = rectangle(0, 0, 8, 8) + "0 4 8 4  " + rectangle(1, 1, 2, 2) + "8 8 9 9";
+
+rapidjson::Document parsed(const std::string& json) {
+  rapidjson::Document document;
+  document.Parse<rapidjson::kParseFullPrecisionFlag>(json.c_str());
+  REQUIRE(!document.HasParseError());
+  return document;
+}
+
+std::string text(const rapidjson::Value& value) { return value.GetString(); }
+
+std::size_t count(const std::string& svg, const char* xpath) {
+  pugi::xml_document document;
+  REQUIRE(document.load_string(svg.c_str()));
+  return document.select_nodes(xpath).size();
+}
+
+std::string picture(LarShow show, double explode = 1.2) {
+  return to_svg(lar::arrange(segments(kRooms)), {show, explode, false});
+}
+
+std::string published_picture(LarShow show) {
+  return to_svg(published::run(published::lines(segments(kRooms))), {show, 1.2, false});
+}
+
+}  // namespace
+
+TEST_CASE("the trace of the repaired variant has every stage under the original's keys") {
+  const rapidjson::Document trace = parsed(to_json(lar::arrange(segments(kRooms))));
+  CHECK(text(trace["variant"]) == "repaired");
+  CHECK(trace["settled"].GetBool());
+  CHECK(trace["input"]["EV"].Size() == 10);
+  const auto& outputs = trace["outputs"];
+  REQUIRE(outputs["rounds"].Size() == 2);
+  const auto& round = outputs["rounds"][0];
+  CHECK(round["boxes"].Size() == 10);
+  CHECK(round["cutPoints"].Size() == 2);
+  CHECK(round["prune"]["vmap"].Size() == round["raw"]["V"].Size());
+  CHECK(round["lar"]["V"].Size() == 11);
+  CHECK(round["lar"]["EV"].Size() == 12);
+  CHECK(outputs["components"].Size() == 2);
+  CHECK(outputs["bridges"].Size() == 1);
+  CHECK(outputs["VE"].Size() == 11);
+  CHECK(outputs["cycles"].Size() == outputs["areas"].Size());
+  CHECK(outputs["larFromLines"]["V"].Size() == 11);
+  CHECK(outputs["larFromLines"]["FV"].Size() == 3);
+  std::multiset<std::size_t> boundaries;
+  for (const auto& face : outputs["larFromLines"]["polygons"].GetArray()) {
+    boundaries.insert(face.Size());
+  }
+  CHECK(boundaries == std::multiset<std::size_t>{1, 1, 2});
+}
+
+TEST_CASE("the trace of the published variant names what is missing and why") {
+  const rapidjson::Document trace = parsed(
+      to_json(published::run(published::lines(segments("0 0.7 1 0.7  2 0.7 3 0.7  4 0.7 5 0.7")))));
+  CHECK(text(trace["variant"]) == "published");
+  CHECK(trace["decimals"].GetInt() == 4);
+  CHECK(trace["input"]["lines"].Size() == 3);
+  CHECK(trace["outputs"].MemberCount() == 1);
+  CHECK(text(trace["errors"]["buckets"]["error"]) == "IndexError");
+  CHECK(text(trace["errors"]["buckets"]["in"]) == "centroid");
+}
+
+TEST_CASE("pictures have an element per cell") {
+  CHECK(count(picture(LarShow::Buckets), "//path") == 10);
+  CHECK(count(picture(LarShow::Components), "//path") == 12);
+  CHECK(count(picture(LarShow::Components), "//path[@stroke-dasharray]") == 1);
+  CHECK(count(picture(LarShow::Faces), "//path[@fill-rule]") == 3);
+  CHECK(count(picture(LarShow::Explode), "//path") == 3);
+  CHECK(count(picture(LarShow::Numbers), "//text") == 11 + 12 + 3);
+  CHECK(count(published_picture(LarShow::Faces), "//path[@fill-rule]") == 2);
+  CHECK(count(published_picture(LarShow::Components), "//path[@stroke-dasharray]") == 1);
+  CHECK(count(published_picture(LarShow::Numbers), "//text") == 11 + 12 + 2);
+}
+
+TEST_CASE("the picture of pruning has the clusters, their radii and centroids") {
+  const SegmentSet slot = segments("0 0 0 1  0.0005 0 0.0005 1  -1 0 1 0  -1 1 1 1");
+  const std::string repaired = to_svg(lar::arrange(slot, {0.001}), {LarShow::Pruning, 1, false});
+  const std::string original =
+      to_svg(published::run(published::lines(slot)), {LarShow::Pruning, 1, false});
+  // Vertices, members, centroids. As published, the feet at 0.0005 are beside their rounded
+  // parameters on the beams, at 0.0006.
+  CHECK(count(repaired, "//circle") == 8 + 4 + 2);
+  CHECK(count(original, "//circle") == 10 + 6 + 2);
+}
+
+TEST_CASE("pictures of nothing are pictures") {
+  for (const LarShow show : {LarShow::Buckets, LarShow::Components, LarShow::Faces,
+                             LarShow::Explode, LarShow::Numbers, LarShow::Pruning}) {
+    CHECK(count(to_svg(lar::arrange(segments("")), {show, 2, true}), "/svg") == 1);
+    CHECK(count(to_svg(published::run({}), {show, 2, true}), "/svg") == 1);
+  }
+}
+
+TEST_CASE("an exploded view leaves gaps that grow with its factor") {
+  CHECK(picture(LarShow::Explode, 1) != picture(LarShow::Explode, 1.5));
+  CHECK_THROWS_AS(picture(LarShow::Explode, 0.5), Error);
+}
+
+TEST_CASE("a drawing with y upwards is a drawing turned over") {
+  const lar::Result result = lar::arrange(segments("0 0 4 0  4 0 4 3"));
+  CHECK(to_svg(result, {LarShow::Buckets, 1, false}).find("M20 140L980 140") != std::string::npos);
+  CHECK(to_svg(result, {LarShow::Buckets, 1, true}).find("M20 860L980 860") != std::string::npos);
+}
