@@ -36,7 +36,7 @@ std::string to_text(const Graph& g) {
   return text.str();
 }
 
-std::string to_text(const std::vector<Cut>& cuts) {
+std::string to_text(const CutPair& cuts) {
   std::ostringstream text;
   for (const Cut& c : cuts) text << c.parameter << " at " << c.point.x << ' ' << c.point.y << "; ";
   return text.str();
@@ -154,6 +154,55 @@ TEST_CASE("long boxes are not repeated without bound") {
     boxes.push_back({double(i), 0, double(i), 200});
   }
   CHECK(box_buckets(boxes).flat().size() < 100 * boxes.size());
+}
+
+TEST_CASE("full buckets of slanted edges are refined, and near edges still share one") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> at(0, 1);
+  Graph hatching;
+  for (int i = 0; i < 500; ++i) {
+    const double x = i, turn = at(random);
+    hatching.vertices.push_back({x, 0});
+    hatching.vertices.push_back({x + 300 + turn, 500});
+  }
+  for (int i = 0; i < 100; ++i) {  // short ones between, across the lines
+    const double x = 800 * at(random), y = 500 * at(random);
+    hatching.vertices.push_back({x, y});
+    hatching.vertices.push_back({x + 3 * at(random), y - 2});
+  }
+  for (std::size_t v = 0; v < hatching.vertices.size(); v += 2) {
+    hatching.edges.push_back({VertexId(v), VertexId(v + 1)});
+  }
+  const double radius = 0.01;
+  const std::vector<Box> boxes = containment_boxes(hatching, radius);
+  const Lists<EdgeId> buckets = box_buckets(boxes);
+  const Lists<EdgeId> refined = refine_buckets(hatching, buckets, radius);
+  const auto pairs = [](const Lists<EdgeId>& lists) {
+    std::size_t sum = 0;
+    for (std::size_t b = 0; b < lists.size(); ++b) sum += lists[b].size() * lists[b].size();
+    return sum;
+  };
+  CHECK(10 * pairs(refined) < pairs(buckets));
+  const auto cuts = [&](const Lists<EdgeId>& lists) {
+    std::string text;
+    const Lists<Cut> found = cut_edges(hatching, boxes, lists, radius);
+    for (std::size_t e = 0; e < found.size(); ++e) {
+      for (const Cut& c : found[e]) text += std::to_string(c.parameter) + ' ';
+      text += '\n';
+    }
+    return text;
+  };
+  std::vector<EdgeId> all;
+  for (std::size_t e = 0; e < hatching.edges.size(); ++e) all.emplace_back(e);
+  Lists<EdgeId> one_bucket;
+  one_bucket.push_back(all);
+  CHECK(cuts(refined) == cuts(one_bucket));
+}
+
+TEST_CASE("edges that fork at a common end meet nowhere else, unless an end is near") {
+  CHECK(meeting({{0, 0}, {4, 0}}, {{0, 0}, {4, 1}}, 0.5) == "| ");
+  CHECK(meeting({{4, 0}, {0, 0}}, {{4, 1}, {0, 0}}, 0.5) == "| ");
+  CHECK(meeting({{0, 0}, {4, 0}}, {{3, 0.1}, {0, 0}}, 0.5) == "0.75 at 3 0.1; | ");
 }
 
 TEST_CASE("a proper crossing cuts both segments in one point") {

@@ -10,7 +10,7 @@ Round resolve(const Graph& graph, double radius) {
   // Two edges that are within the radius have boxes that meet when each grows by half of it; by all
   // of it no rounding can part them.
   round.boxes = containment_boxes(graph, radius);
-  round.buckets = box_buckets(round.boxes);
+  round.buckets = refine_buckets(graph, box_buckets(round.boxes), radius);
   round.cuts = cut_edges(graph, round.boxes, round.buckets, radius);
   round.split = split_edges(graph, round.cuts);
   round.pruning = prune_vertices(round.split.vertices, radius);

@@ -16,8 +16,13 @@ bool overlap(const Box& s, const Box& t) {
   return s[0] <= t[2] && t[0] <= s[2] && s[1] <= t[3] && t[1] <= s[3];
 }
 
-SegmentD segment(const Graph& graph, EdgeId e) {
-  return {graph.vertices[graph.edges[e].tail], graph.vertices[graph.edges[e].head]};
+std::vector<SegmentD> segments_of(const Graph& graph) {
+  std::vector<SegmentD> segments;
+  segments.reserve(graph.edges.size());
+  for (const auto& [tail, head] : graph.edges) {
+    segments.push_back({graph.vertices[tail], graph.vertices[head]});
+  }
+  return segments;
 }
 
 /// The edges whose boxes overlap, through the buckets that they share.
@@ -73,18 +78,19 @@ std::vector<Cut> reduced(std::vector<Cut> cuts, const SegmentD& edge, double sam
 Lists<Cut> cut_edges(const Graph& graph, std::span<const Box> boxes, const Lists<EdgeId>& buckets,
                      double radius) {
   const double same = kLeastRelativeRadius / 4 * largest_coordinate(graph.vertices);
+  const std::vector<SegmentD> segments = segments_of(graph);
   Neighbours neighbours(boxes, buckets);
   Lists<Cut> result;
-  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
     const EdgeId e(i);
-    const SegmentD edge = segment(graph, e);
+    const SegmentD& edge = segments[e];
     std::vector<Cut> cuts;
     // An edge no longer than the radius will become a point: no place on it is worth a cut, and
     // where it crosses another such edge some of their ends are near each other.
     const bool vanishes = near(edge.a, edge.b, radius);
     if (!vanishes) {
       neighbours.for_each(e, [&](EdgeId other) {
-        const SegmentD partner = segment(graph, other);
+        const SegmentD& partner = segments[other];
         const Meeting meeting =
             e < other ? meet(edge, partner, radius) : meet(partner, edge, radius);
         for (const Cut& cut : e < other ? meeting.on_first : meeting.on_second) {

@@ -1,6 +1,7 @@
 // Intersection of two segments. What lies within the radius is decided first, by distance; a proper
 // crossing is computed only where no end is that near, so that the parameters need no tolerance.
 
+#include <algorithm>
 #include <optional>
 
 #include "lar/points.hpp"
@@ -36,7 +37,7 @@ bool shortens(const SegmentD& s, const PointD& p) {
 
 /// Cuts s at those ends of `other` that are near it; whether there are any that are cut or will be
 /// merged with an end of s.
-bool cut_at_ends(const SegmentD& s, const SegmentD& other, double radius, std::vector<Cut>& cuts) {
+bool cut_at_ends(const SegmentD& s, const SegmentD& other, double radius, CutPair& cuts) {
   bool touches = false;
   for (const PointD& end : {other.a, other.b}) {
     const std::optional<double> parameter = foot(end, s, radius);
@@ -59,13 +60,48 @@ PointD point_at(const SegmentD& s, double parameter) {
   return {s.b.x - rest * direction.x + 0.0, s.b.y - rest * direction.y + 0.0};
 }
 
+/// How the ends of a segment lie by the line through another one.
+enum class Sides {
+  Clear,     ///< further than the radius from the line, both on the same side
+  Opposite,  ///< further than the radius from the line, one on each side
+  Near,      ///< one of them is within the radius
+};
+
+Sides sides(const SegmentD& line, const SegmentD& other, double radius) {
+  const PointD direction = minus(line.b, line.a);
+  const double first = cross(direction, minus(other.a, line.a));
+  const double second = cross(direction, minus(other.b, line.a));
+  const double limit = radius * radius * dot(direction, direction);
+  if (!(first * first > limit && second * second > limit)) return Sides::Near;
+  return (first > 0) == (second > 0) ? Sides::Clear : Sides::Opposite;
+}
+
+/// Whether the segments have an end in common, and both other ends are further than the radius from
+/// the line through the other segment: then they meet nowhere else.
+bool fork(const SegmentD& first, const SegmentD& second, double radius) {
+  const bool at_a = first.a == second.a || first.a == second.b;
+  if (!at_a && first.b != second.a && first.b != second.b) return false;
+  const PointD& common = at_a ? first.a : first.b;
+  const PointD u = minus(at_a ? first.b : first.a, common);
+  const PointD v = minus(second.a == common ? second.b : second.a, common);
+  const double area = cross(u, v);
+  return area * area > radius * radius * std::max(dot(u, u), dot(v, v));
+}
+
 }  // namespace
 
 Meeting meet(const SegmentD& first, const SegmentD& second, double radius) {
   Meeting meeting;
-  const bool first_touched = cut_at_ends(first, second, radius, meeting.on_first);
-  const bool second_touched = cut_at_ends(second, first, radius, meeting.on_second);
-  if (first_touched || second_touched) return meeting;
+  if (fork(first, second, radius)) return meeting;
+  const Sides of_second = sides(first, second, radius);
+  if (of_second == Sides::Clear) return meeting;
+  const Sides of_first = sides(second, first, radius);
+  if (of_first == Sides::Clear) return meeting;
+  if (of_first == Sides::Near || of_second == Sides::Near) {
+    const bool first_touched = cut_at_ends(first, second, radius, meeting.on_first);
+    const bool second_touched = cut_at_ends(second, first, radius, meeting.on_second);
+    if (first_touched || second_touched) return meeting;
+  }
 
   const PointD first_direction = minus(first.b, first.a);
   const PointD second_direction = minus(second.b, second.a);

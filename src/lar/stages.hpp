@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -35,10 +36,27 @@ std::vector<Box> containment_boxes(const Graph& graph, double margin);
 /// boxes are small. Section 2.1.
 Lists<EdgeId> box_buckets(std::span<const Box> boxes);
 
+/// The buckets with full ones split anew after a turn by their edges' common direction, where that
+/// spares half of the pairs; two edges within twice the margin of each other still share a bucket.
+/// Repaired: the publication has upright boxes only. Order as above.
+Lists<EdgeId> refine_buckets(const Graph& graph, const Lists<EdgeId>& buckets, double margin);
+
+/// At most two cuts.
+class CutPair {
+ public:
+  void push_back(const Cut& cut) { cuts_[size_++] = cut; }
+  const Cut* begin() const { return cuts_.data(); }
+  const Cut* end() const { return cuts_.data() + size_; }
+
+ private:
+  std::array<Cut, 2> cuts_;
+  std::size_t size_ = 0;
+};
+
 /// Where two segments cut each other.
 struct Meeting {
-  std::vector<Cut> on_first;
-  std::vector<Cut> on_second;
+  CutPair on_first;
+  CutPair on_second;
 };
 
 /// An end of one segment within the radius of the other segment cuts it there (so T junctions and
