@@ -119,6 +119,42 @@ TEST_CASE("a segment set keeps segments with their sources and lists what it ref
         "plan.svg:3:5 line #w1 (walls): coordinate is not a finite number: 0 0, inf 1\n");
 }
 
+TEST_CASE("a list of segments gives back what it was given, decimals and others") {
+  const Segment s{point("0.10 -2"), point("1/3 9223372036854775808")};
+  const Segment t{point("0 0"), point("1e-30 7")};
+  plumbline::SegmentList list{s};
+  list.push_back(t);
+  CHECK(list.size() == 2);
+  CHECK(list[0] == s);
+  CHECK(list.at(1) == t);
+  CHECK_THROWS_AS(list.at(2), std::out_of_range);
+  CHECK(list.numbers(0)[0].mantissa() == 1);
+  CHECK(list.numbers(0)[0].digits() == 1);
+  CHECK_FALSE(list.numbers(0)[2].is_decimal());
+  CHECK(std::vector<Segment>(list.begin(), list.end()) == std::vector{s, t});
+  CHECK(list == plumbline::SegmentList{s, t});
+  CHECK_FALSE(list == plumbline::SegmentList{t, s});
+}
+
+TEST_CASE("a list of sources gives back what it was given, whatever repeats") {
+  std::mt19937 random(3);
+  const auto name = [&](unsigned count) {
+    return std::string(random() % 4 == 0 ? 0 : 1 + random() % 40,
+                       static_cast<char>('a' + random() % count));
+  };
+  std::vector<Source> given;
+  plumbline::SourceList list;
+  for (int i = 0; i < 1000; ++i) {
+    given.push_back({static_cast<std::uint32_t>(random() % 3), static_cast<std::uint32_t>(random()),
+                     static_cast<std::uint32_t>(random()), name(3), name(26), name(2)});
+    list.push_back(given.back());
+  }
+  const plumbline::SourceList copy = list;
+  CHECK(std::vector<Source>(copy.begin(), copy.end()) == given);
+  CHECK(copy.at(999) == given[999]);
+  CHECK_THROWS_AS(copy.at(1000), std::out_of_range);
+}
+
 TEST_CASE("the text of a rejected item is shortened") {
   SegmentSet set;
   const auto source = set.add_source({});

@@ -188,17 +188,17 @@ TEST_CASE("the default radius grows with the drawing, so that scale and place do
   const SegmentSet drawn = segments(kOrthogonal);
   for (const double scale : {1e-300, 1e-4, 1.0, 1e9, 1e300}) {
     SegmentSet scaled = drawn;
-    for (Segment& s : scaled.segments) {
+    scaled.segments = changed(drawn.segments, [&](Segment& s) {
       for (Point* p : {&s.a, &s.b}) *p = {p->x * rational_from(scale), p->y * rational_from(scale)};
-    }
+    });
     const lar::Result result = lar::arrange(scaled);
     CHECK(summary(result.complex) == expected);
     CHECK(result.trace.radius == Approx(0.01 * scale));
   }
   SegmentSet moved = drawn;
-  for (Segment& s : moved.segments) {
+  moved.segments = changed(drawn.segments, [](Segment& s) {
     for (Point* p : {&s.a, &s.b}) *p = {p->x + 1'000'000'000, p->y - 1'000'000'000};
-  }
+  });
   CHECK(summary(lar::arrange(moved).complex) == expected);
 }
 
@@ -207,12 +207,12 @@ TEST_CASE("scaling by a power of two scales the complex, exactly, near overflow 
   const FloatComplex plain = lar::arrange(drawn).complex;
   for (const int exponent : {-1000, -500, 500, 1000}) {
     SegmentSet scaled = drawn;
-    for (Segment& s : scaled.segments) {
+    scaled.segments = changed(drawn.segments, [&](Segment& s) {
       for (Point* p : {&s.a, &s.b}) {
         const PointD rounded = nearest(*p);
         *p = exact(PointD{std::ldexp(rounded.x, exponent), std::ldexp(rounded.y, exponent)});
       }
-    }
+    });
     FloatComplex back = lar::arrange(scaled).complex;
     for (PointD& p : back.vertices) p = {std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent)};
     CHECK(back == plain);

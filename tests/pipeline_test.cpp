@@ -71,10 +71,10 @@ TEST_CASE("a drawing shuffled, reversed and duplicated has the same complex") {
   SegmentSet input = evaluate(drawing(name));
   const std::string expected = signature(arrange(input));
   std::mt19937 random(7);
-  std::shuffle(input.segments.begin(), input.segments.end(), random);
+  input.segments = shuffled(input.segments, random);
   CHECK(signature(arrange(input)) == expected);
-  for (Segment& s : input.segments) std::swap(s.a, s.b);
+  input.segments = reversed(input.segments);
   CHECK(signature(arrange(input)) == expected);
-  input.segments.insert(input.segments.end(), input.segments.begin(), input.segments.end());
+  input.segments = joined(input.segments, input.segments);
   CHECK(signature(arrange(input)) == expected);
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <random>
 
 #include "plumbline/error.hpp"
 #include "support/listing.hpp"
@@ -75,6 +76,36 @@ TEST_CASE("a row that is not a segment is rejected with its line, the others are
         "a.lines:10:1 row: decimal exponent beyond 10000: 1,2,3,1e77777\n"
         "a.lines:11:1 row: row of 5 values, not 4: 1,2,3,4,\n"
         "a.lines:8:1 row: zero-length segment: 1 2, 1 2\n");
+}
+
+TEST_CASE("a row with blanks between its numbers is read as the one without") {
+  std::mt19937 random(8);
+  const std::string letters = "0123456789.-+e/x,";
+  std::size_t accepted = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    std::string row;
+    const std::size_t fields = random() % 8 == 0 ? random() % 6 : 4;
+    for (std::size_t field = 0; field < fields; ++field) {
+      if (field > 0) row += ',';
+      const std::size_t length = random() % 40 == 0 ? random() % 25 : 1 + random() % 6;
+      for (std::size_t k = 0; k < length; ++k) row += letters[random() % (k == 0 ? 13 : 11)];
+    }
+    if (random() % 4 == 0 && !row.empty()) row[random() % row.size()] = letters[random() % 17];
+    std::string spaced;
+    for (const char c : row) spaced += c == ',' ? " , " : std::string(1, c);
+    const auto set = evaluate(read_lines(row, "a.lines"));
+    const auto expected = evaluate(read_lines(spaced, "a.lines"));
+    CAPTURE(row);
+    REQUIRE(set.segments == expected.segments);
+    REQUIRE(set.sources.size() == expected.sources.size());
+    REQUIRE(set.rejected.size() == expected.rejected.size());
+    for (std::size_t k = 0; k < set.rejected.size(); ++k) {
+      REQUIRE(set.rejected[k].reason == expected.rejected[k].reason);
+    }
+    accepted += set.segments.size();
+  }
+  CHECK(accepted > 1'000);
+  CHECK(accepted < 9'000);
 }
 
 TEST_CASE("a file is read by its ending, in either case") {

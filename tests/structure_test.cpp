@@ -35,7 +35,7 @@ Model model(const std::string& text, const std::string& id = "") {
   const auto comma = text.find(", ");
   plumbline::Source source;
   source.id = id;
-  return {source, {{point(text.substr(0, comma)), point(text.substr(comma + 2))}}};
+  return {source, {{point(text.substr(0, comma)), point(text.substr(comma + 2))}}, {}};
 }
 
 Structure structure_of(std::vector<Struct> structs) {
@@ -224,6 +224,40 @@ TEST_CASE("what the reader refused and replaced is carried over") {
   CHECK(set.files == structure.files);
   CHECK(set.rejected == structure.rejected);
   CHECK(set.ledger == structure.ledger);
+}
+
+TEST_CASE("decimals are mapped as rationals are, where they outgrow machine integers too") {
+  std::mt19937_64 random(12);
+  const auto number = [&] {
+    const auto mantissa = static_cast<std::int64_t>(random() >> (1 + random() % 63));
+    const int digits = static_cast<int>(random() % 19);
+    const Rational value = plumbline::Number::decimal(mantissa, digits).rational();
+    return random() % 20 == 0 ? Rational(value / 3) : Rational(random() % 2 == 0 ? value : -value);
+  };
+  const auto entry = [&] { return random() % 3 == 0 ? Rational(0) : number(); };
+  for (int i = 0; i < 5000; ++i) {
+    const Affine map{number(), entry(), entry(), number(), entry(), entry()};
+    const plumbline::Segment segment{{number(), number()}, {number(), number()}};
+    const auto set = evaluate(structure_of({{"", "", {map, Model{{}, {segment}, {}}}}}));
+    if (set.segments.empty()) continue;  // mapped to one point
+    REQUIRE(set.segments[0].a == apply(map, segment.a));
+    REQUIRE(set.segments[0].b == apply(map, segment.b));
+  }
+}
+
+TEST_CASE("the rows of a model are elements of their own") {
+  Model table = model("0 0, 1 0", "t");
+  table.segments.push_back({point("5 5"), point("5 5")});
+  table.segments.push_back({point("0 0"), point("0 1")});
+  table.source.element = "row";
+  table.rows = {{3, 1}, {4, 2}, {6, 1}};
+  CHECK(listing(structure_of({{"", "", {table}}})) ==
+        "0 0, 1 0 | line 3:1 row #t\n"
+        "0 0, 0 1 | line 6:1 row #t\n"
+        "rejected:\n"
+        "line 4:2 row #t: zero-length segment: 5 5, 5 5\n");
+  table.rows.pop_back();
+  CHECK_THROWS_AS(evaluate(structure_of({{"", "", {table}}})), plumbline::Error);
 }
 
 TEST_CASE("a cycle of references is refused, its names given") {

@@ -87,8 +87,10 @@ TEST_CASE("in JSON, the cycles of signed edges close and name their face's paren
 }
 
 TEST_CASE("JSON lists sources, rejected items and the ledger, whatever bytes their texts hold") {
-  SegmentSet input = segments("0 0 1 0  0 0 0 0");
-  input.sources[0].id = "a\"b\n\xff";
+  SegmentSet input;
+  const SourceId source = input.add_source({0, 1, 1, "text", "a\"b\n\xff", ""});
+  input.add({{0, 0}, {1, 0}}, source);
+  input.add({{0, 0}, {0, 0}}, source);
   input.ledger.push_back({input.sources[0], "rotate(30)", "1e-15 rad"});
   const auto document = json(to_json(arrange(input), input));
   CHECK(std::string(document["sources"][0]["id"].GetString()) == "a\"b\n\xef\xbf\xbd");

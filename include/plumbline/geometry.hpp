@@ -2,10 +2,14 @@
 
 #include <compare>
 #include <cstdint>
+#include <initializer_list>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "plumbline/iterator.hpp"
 #include "plumbline/number.hpp"
+#include "plumbline/source.hpp"
 
 namespace plumbline {
 
@@ -62,12 +66,56 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
+/// A point as it is stored: decimals take no memory of their own.
+struct NumberPoint {
+  Number x;
+  Number y;
+
+  friend bool operator==(const NumberPoint&, const NumberPoint&) = default;
+};
+
+/// A sequence of segments that stores four Numbers each, 64 bytes if they are decimals. `numbers`
+/// reads them as they are stored; `operator[]` and iterators make the Segment.
+class SegmentList {
+ public:
+  using value_type = Segment;
+  using const_iterator = ValueIterator<SegmentList>;
+
+  SegmentList() = default;
+  SegmentList(std::initializer_list<Segment> segments)
+      : SegmentList(std::span(segments.begin(), segments.size())) {}
+  explicit SegmentList(std::span<const Segment> segments);
+
+  std::size_t size() const { return numbers_.size() / 4; }
+  bool empty() const { return numbers_.empty(); }
+  /// Requires: i < size(); `at` throws std::out_of_range.
+  Segment operator[](std::size_t i) const;
+  Segment at(std::size_t i) const;
+  /// ax, ay, bx, by. Requires: i < size().
+  std::span<const Number, 4> numbers(std::size_t i) const {
+    return std::span<const Number, 4>(numbers_.data() + 4 * i, 4);
+  }
+  const_iterator begin() const { return {*this, 0}; }
+  const_iterator end() const { return {*this, static_cast<std::ptrdiff_t>(size())}; }
+
+  void reserve(std::size_t count) { numbers_.reserve(4 * count); }
+  void push_back(Segment segment);
+  void push_back(NumberPoint a, NumberPoint b);
+
+  friend bool operator==(const SegmentList&, const SegmentList&) = default;
+
+ private:
+  std::vector<Number> numbers_;
+};
+
 /// Coordinates rounded correctly to the nearest doubles.
 PointD nearest(const Point& p);
+PointD nearest(const NumberPoint& p);
 /// The exact point that two finite doubles are. Throws: Error BadInput.
 Point exact(const PointD& p);
 /// "x y" in exact text; "ax ay, bx by" for a segment.
 std::string to_text(const Point& p);
+std::string to_text(const NumberPoint& p);
 std::string to_text(const Segment& s);
 
 /// -1, 0, +1: r lies right of, on, left of the line from p to q. **Exact**.
@@ -79,49 +127,20 @@ Rational squared_distance(const Point& p, const Point& q);
 /// Exact squared distance of p from the closed segment ab.
 Rational squared_distance(const Point& p, const Point& a, const Point& b);
 
-/// The element of a drawing that an item came from.
-struct Source {
-  std::uint32_t file = 0;  ///< index into SegmentSet::files
-  std::uint32_t line = 0;  ///< of the element's first character, from 1; 0 means unknown
-  std::uint32_t column = 0;
-  std::string element;  ///< its name in the format: "line", "rect", "path", "row", ...
-  std::string id;       ///< its id in the file, if it has one
-  std::string path;     ///< names of the groups or layers above it, outermost first, joined by '/'
-
-  friend bool operator==(const Source&, const Source&) = default;
-};
-
-/// An item of the input that takes no part in the result, and why.
-struct Rejected {
-  Source source;
-  std::string reason;
-  std::string text;  ///< the offending text, shortened to 60 characters
-
-  friend bool operator==(const Rejected&, const Rejected&) = default;
-};
-
-/// One replacement of a number on the way from the file to exact coordinates.
-struct Replacement {
-  Source source;
-  std::string what;   ///< what was replaced, e.g. "rotate(30)"
-  std::string bound;  ///< by how much at most, with its unit, e.g. "1e-15 rad"
-
-  friend bool operator==(const Replacement&, const Replacement&) = default;
-};
-
 /// Coordinates of a SegmentSet have absolute values below 2^332, about 8.7e99: so that products of
 /// three of them stay within doubles, which CGAL's interval arithmetic needs (it answers wrongly or
 /// crashes where intervals overflow).
 inline constexpr int kMaxCoordinateBits = 332;
 bool is_within_limit(const Point& p);
+bool is_within_limit(const Number& coordinate);
 
 /// Exact segments (and isolated points), each with its source; what was refused; and the exactness
 /// ledger, empty when every coordinate is exactly what the file says.
 class SegmentSet {
  public:
   std::vector<std::string> files;
-  std::vector<Source> sources;
-  std::vector<Segment> segments;
+  SourceList sources;
+  SegmentList segments;
   std::vector<SourceId> segment_source;  ///< per segment
   std::vector<Point> points;             ///< isolated points, for API users; no reader makes them
   std::vector<SourceId> point_source;    ///< per point
@@ -130,17 +149,15 @@ class SegmentSet {
 
   /// Adds a file name, returns its index.
   std::uint32_t add_file(std::string name);
-  SourceId add_source(Source source);
+  SourceId add_source(const Source& source);
   /// Adds a segment; one without length or beyond the limit goes to `rejected` instead.
   void add(Segment segment, SourceId source);
+  void add(NumberPoint a, NumberPoint b, SourceId source);
   /// Adds the segment with these double coordinates, taken as the dyadic rationals that they are; a
   /// one that is not finite goes to `rejected` as well.
   void add(PointD a, PointD b, SourceId source);
   /// Adds an isolated point; one beyond the limit goes to `rejected` instead.
   void add_point(Point point, SourceId source);
 };
-
-/// "file:line:column element #id (path)", leaving out what is unknown.
-std::string to_text(const Source& source, const std::vector<std::string>& files);
 
 }  // namespace plumbline

@@ -2,8 +2,11 @@
 
 #include <gmpxx.h>
 
+#include <compare>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace plumbline {
 
@@ -16,11 +19,70 @@ inline constexpr std::size_t kMaxDecimalDigits = 10'000;
 /// Largest absolute value of a decimal exponent that `parse_decimal` accepts.
 inline constexpr long kMaxDecimalExponent = 10'000;
 
+/// An exact number as drawings hold it by the million: 16 bytes. A decimal `mantissa * 10^-digits`
+/// with 0 <= digits <= kMaxDigits, the least possible, and |mantissa| < 2^63 is held in place; any
+/// other rational number behind a pointer. Equal numbers are held in the same way. Sums,
+/// differences and products are **exact**; Cost: some nanoseconds for decimals, as for Rationals
+/// else.
+class Number {
+ public:
+  static constexpr int kMaxDigits = 18;
+
+  Number() = default;
+  Number(Rational value);
+  /// mantissa * 10^-digits. Requires: 0 <= digits <= kMaxDigits.
+  static Number decimal(std::int64_t mantissa, int digits);
+  Number(const Number& other)
+      : held_(other.is_decimal() ? other.held_ : other.copied()), digits_(other.digits_) {}
+  Number(Number&& other) noexcept : held_(other.held_), digits_(other.digits_) {
+    other.digits_ = 0;
+  }
+  Number& operator=(Number other) noexcept {
+    std::swap(held_, other.held_);
+    std::swap(digits_, other.digits_);
+    return *this;
+  }
+  ~Number() {
+    if (!is_decimal()) delete held_.rational;
+  }
+
+  /// Whether it is held in place; it is then mantissa() * 10^-digits().
+  bool is_decimal() const { return digits_ >= 0; }
+  /// Requires: is_decimal().
+  std::int64_t mantissa() const { return held_.mantissa; }
+  int digits() const { return digits_; }
+  Rational rational() const;
+
+  friend bool operator==(const Number& a, const Number& b) {
+    if (a.digits_ != b.digits_) return false;
+    return a.is_decimal() ? a.mantissa() == b.mantissa() : *a.held_.rational == *b.held_.rational;
+  }
+  friend std::strong_ordering operator<=>(const Number& a, const Number& b);
+  friend int sgn(const Number& a);
+  friend Number operator+(const Number& a, const Number& b);
+  friend Number operator-(const Number& a, const Number& b);
+  friend Number operator*(const Number& a, const Number& b);
+
+ private:
+  union Held {
+    std::int64_t mantissa = 0;
+    const Rational* rational;  ///< owned
+  };
+  static constexpr std::int32_t kNoDecimal = -1;
+
+  Held copied() const;
+
+  Held held_{};
+  std::int32_t digits_ = 0;  ///< or kNoDecimal
+};
+
 /// The rational number that a decimal text denotes: `[+-] (digits [. [digits]] | . digits) [(e|E)
 /// [+-] digits]`, or `p/q` with integers p and q > 0. **Exact**. Degenerate: `-0` is 0. Surrounding
 /// blanks are not accepted. Cost: O(M(n)) for n digits. Throws: Error BadInput (not a number),
 /// Limit (more than kMaxDecimalDigits digits, or an exponent beyond kMaxDecimalExponent).
 Rational parse_decimal(std::string_view text);
+/// The same as a Number. Cost: some nanoseconds for a decimal without exponent of up to 18 digits.
+Number parse_number(std::string_view text);
 
 /// The dyadic rational that a finite double is. **Exact**. Requires: finite; throws Error BadInput.
 Rational rational_from(double value);
@@ -28,6 +90,7 @@ Rational rational_from(double value);
 /// The double nearest to `value`, ties to even. **Rounded** correctly, subnormals included; beyond
 /// the largest double the result is an infinity, as IEEE 754 rounds. Never -0.
 double nearest_double(const Rational& value);
+double nearest_double(const Number& value);
 
 /// The square root of a value >= 0 in doubles, within two units in the last place, whatever the
 /// size of the value: 0 only for 0 and for roots below half the least double, an infinity beyond

@@ -50,10 +50,17 @@ using StructId = Index<struct StructTag>;
 /// Longest path that a Source holds, in bytes.
 inline constexpr std::size_t kMaxPathText = 1000;
 
-/// Segments of one drawing element, in the coordinates of the Struct that holds it.
+/// Segments of one drawing element, in the coordinates of the Struct that holds it; or of a table
+/// of rows, each an element of its own.
 struct Model {
+  /// Where a row begins.
+  struct Row {
+    std::uint32_t line = 0, column = 0;
+  };
+
   Source source;  ///< its `path` is filled in by `evaluate`
-  std::vector<Segment> segments;
+  SegmentList segments;
+  std::vector<Row> rows;  ///< empty, or per segment what replaces the source's line and column
 };
 
 /// LAR's Struct: an ordered body of models, affine maps and sub-structures. A map applies to all
@@ -84,8 +91,9 @@ inline constexpr std::size_t kMaxEvaluatedWords = std::size_t{1} << 28U;
 /// each with a Source of its own whose path is the names of the Structs above it (the root's and
 /// empty ones left out; a path of more than kMaxPathText characters ends in "/..."). **Exact**.
 /// Zero-length segments go to `rejected`. No recursion: depth is limited by memory only. Throws:
-/// Error BadInput for a cycle of references, naming its path, and for a StructId out of range;
-/// Limit beyond kMaxMapBits and `max_words`. Source: larstruct 2015, 4.1.
+/// Error BadInput for a cycle of references, naming its path, for a StructId out of range and
+/// for a Model with rows that are not as many as its segments; Limit beyond kMaxMapBits and
+/// `max_words`. Source: larstruct 2015, 4.1.
 SegmentSet evaluate(const Structure& structure, std::size_t max_words = kMaxEvaluatedWords);
 
 }  // namespace plumbline

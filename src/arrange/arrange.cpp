@@ -7,19 +7,24 @@
 namespace plumbline {
 namespace {
 
-void ensure_point_within_limit(const Point& p) {
-  if (is_within_limit(p)) return;
-  throw Error(ErrorCode::Limit, "a coordinate is beyond 8.7e99", {}, to_text(p));
+void ensure_number_within_limit(const Number& coordinate) {
+  if (is_within_limit(coordinate)) return;
+  throw Error(ErrorCode::Limit, "a coordinate is beyond 8.7e99", {},
+              exact_text(coordinate.rational()));
 }
 
 }  // namespace
 
 void ensure_within_limit(const SegmentSet& input) {
-  for (const Segment& s : input.segments) {
-    ensure_point_within_limit(s.a);
-    ensure_point_within_limit(s.b);
+  for (std::size_t s = 0; s < input.segments.size(); ++s) {
+    for (const Number& coordinate : input.segments.numbers(s)) {
+      ensure_number_within_limit(coordinate);
+    }
   }
-  for (const Point& p : input.points) ensure_point_within_limit(p);
+  for (const Point& p : input.points) {
+    ensure_number_within_limit(p.x);
+    ensure_number_within_limit(p.y);
+  }
 }
 
 ExactComplex arrange(const SegmentSet& input, Engine engine, const ArrangeOptions& options) {

@@ -18,7 +18,8 @@ std::vector<SegmentId> representatives(const SegmentSet& input) {
   std::map<std::pair<Point, Point>, SegmentId> first;
   std::vector<SegmentId> result;
   for (std::size_t s = 0; s < input.segments.size(); ++s) {
-    const auto [low, high] = std::minmax(input.segments[s].a, input.segments[s].b);
+    const Segment segment = input.segments[s];
+    const auto& [low, high] = std::minmax(segment.a, segment.b);
     result.push_back(first.try_emplace({low, high}, SegmentId(s)).first->second);
   }
   return result;

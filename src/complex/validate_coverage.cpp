@@ -36,7 +36,8 @@ class Coverage {
  private:
   /// Edges are sorted by (tail, head), so those on one segment come in order along it.
   void check_segment(SegmentId s, const std::vector<EdgeId>& edges) {
-    const auto [first, last] = std::minmax(input_.segments[s].a, input_.segments[s].b);
+    const Segment segment = input_.segments[s];
+    const auto& [first, last] = std::minmax(segment.a, segment.b);
     Point reached = first;
     for (const EdgeId e : edges) {
       const Point &tail = c_.vertices[c_.edges[e].tail], &head = c_.vertices[c_.edges[e].head];

@@ -9,7 +9,7 @@ namespace plumbline {
 namespace {
 
 /// Whether |c| < 2^kMaxCoordinateBits; sizes in bits decide all but borderline cases.
-bool is_within_limit(const Rational& c) {
+bool is_below_limit(const Rational& c) {
   const auto bits = [](mpz_srcptr z) { return static_cast<long>(mpz_sizeinbase(z, 2)); };
   const long exponent = bits(c.get_num_mpz_t()) - bits(c.get_den_mpz_t());
   if (exponent < kMaxCoordinateBits) return true;
@@ -29,31 +29,40 @@ Rejected make_rejected(Source source, std::string reason, std::string text) {
   return {std::move(source), std::move(reason), shown_text(std::move(text))};
 }
 
-bool is_within_limit(const Point& p) { return is_within_limit(p.x) && is_within_limit(p.y); }
+bool is_within_limit(const Point& p) { return is_below_limit(p.x) && is_below_limit(p.y); }
+
+bool is_within_limit(const Number& coordinate) {
+  return coordinate.is_decimal() || is_below_limit(coordinate.rational());  // decimals < 2^63
+}
 
 std::uint32_t SegmentSet::add_file(std::string name) {
   files.push_back(std::move(name));
   return static_cast<std::uint32_t>(files.size() - 1);
 }
 
-SourceId SegmentSet::add_source(Source source) {
-  sources.push_back(std::move(source));
+SourceId SegmentSet::add_source(const Source& source) {
+  sources.push_back(source);
   return SourceId(sources.size() - 1);
 }
 
 void SegmentSet::add(Segment segment, SourceId source) {
-  if (segment.a == segment.b) {
-    rejected.push_back(
-        make_rejected(sources.at(source), "zero-length segment", plumbline::to_text(segment)));
-    return;
+  add({std::move(segment.a.x), std::move(segment.a.y)},
+      {std::move(segment.b.x), std::move(segment.b.y)}, source);
+}
+
+void SegmentSet::add(NumberPoint a, NumberPoint b, SourceId source) {
+  const auto reject = [&](const char* reason) {
+    rejected.push_back(make_rejected(sources.at(source), reason, to_text(a) + ", " + to_text(b)));
+  };
+  if (a == b) {
+    reject("zero-length segment");
+  } else if (!is_within_limit(a.x) || !is_within_limit(a.y) || !is_within_limit(b.x) ||
+             !is_within_limit(b.y)) {
+    reject(kBeyondLimit);
+  } else {
+    segments.push_back(std::move(a), std::move(b));
+    segment_source.push_back(source);
   }
-  if (!is_within_limit(segment.a) || !is_within_limit(segment.b)) {
-    rejected.push_back(
-        make_rejected(sources.at(source), kBeyondLimit, plumbline::to_text(segment)));
-    return;
-  }
-  segments.push_back(std::move(segment));
-  segment_source.push_back(source);
 }
 
 void SegmentSet::add(PointD a, PointD b, SourceId source) {

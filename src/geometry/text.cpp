@@ -7,9 +7,13 @@ namespace plumbline {
 
 PointD nearest(const Point& p) { return {nearest_double(p.x), nearest_double(p.y)}; }
 
+PointD nearest(const NumberPoint& p) { return {nearest_double(p.x), nearest_double(p.y)}; }
+
 Point exact(const PointD& p) { return {rational_from(p.x), rational_from(p.y)}; }
 
 std::string to_text(const Point& p) { return exact_text(p.x) + " " + exact_text(p.y); }
+
+std::string to_text(const NumberPoint& p) { return to_text(Point{p.x.rational(), p.y.rational()}); }
 
 std::string to_text(const Segment& s) { return to_text(s.a) + ", " + to_text(s.b); }
 

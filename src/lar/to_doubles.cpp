@@ -26,7 +26,8 @@ struct SourcedSegment {
   }
 };
 
-PointD finite(const Point& p, const char* what, std::size_t id) {
+template <class P>
+PointD finite(const P& p, const char* what, std::size_t id) {
   const PointD rounded = nearest(p);
   if (!std::isfinite(rounded.x) || !std::isfinite(rounded.y)) {
     throw Error(
@@ -83,8 +84,9 @@ Drawing to_doubles(const SegmentSet& input, const Options& options) {
   }
   std::vector<PointD> ends, points;
   for (std::size_t i = 0; i < input.segments.size(); ++i) {
-    ends.push_back(finite(input.segments[i].a, "segment", i));
-    ends.push_back(finite(input.segments[i].b, "segment", i));
+    const auto numbers = input.segments.numbers(i);
+    ends.push_back(finite(NumberPoint{numbers[0], numbers[1]}, "segment", i));
+    ends.push_back(finite(NumberPoint{numbers[2], numbers[3]}, "segment", i));
   }
   for (std::size_t i = 0; i < input.points.size(); ++i) {
     points.push_back(finite(input.points[i], "point", i));

@@ -16,10 +16,12 @@ std::size_t skip_digits(std::string_view text, std::size_t i) {
 
 }  // namespace
 
-Rational Numbers::parse(std::string_view text) {
+Number Numbers::parse(std::string_view text) {
   try {
-    Rational value = parse_decimal(text);
-    const std::size_t words = mpz_size(value.get_num_mpz_t()) + mpz_size(value.get_den_mpz_t());
+    Number value = parse_number(text);
+    if (value.is_decimal()) return value;
+    const Rational exact = value.rational();
+    const std::size_t words = mpz_size(exact.get_num_mpz_t()) + mpz_size(exact.get_den_mpz_t());
     if (words > kPlainWords) long_words_ += words;
     if (long_words_ <= kMaxLongWords) return value;
   } catch (const Error& error) {
@@ -29,10 +31,10 @@ Rational Numbers::parse(std::string_view text) {
               std::string(text));
 }
 
-Rational Numbers::take(Scanner& scanner, const char* reason) {
+Number Numbers::take(Scanner& scanner, const char* reason) {
   const std::string_view number = scanner.number();
   if (number.empty()) throw Unusable{reason, {}};
-  Rational value = parse(number);
+  Number value = parse(number);
   scanner.advance_by(number.size());
   return value;
 }
@@ -71,7 +73,7 @@ std::string_view Scanner::number() const {
   return text.substr(0, end);
 }
 
-Rational parse_length(std::string_view text, Numbers& numbers) {
+Number parse_length(std::string_view text, Numbers& numbers) {
   Scanner scanner(text);
   scanner.skip_blanks();
   const std::string_view number = scanner.number();

@@ -20,12 +20,12 @@ class Scanner;
 /// "1e9999" makes a number a thousand times its own length.
 class Numbers {
  public:
-  /// Throws: Unusable where `parse_decimal` refuses; Error Limit where the document's long numbers
+  /// Throws: Unusable where `parse_number` refuses; Error Limit where the document's long numbers
   /// take more than kMaxLongWords.
-  Rational parse(std::string_view text);
+  Number parse(std::string_view text);
   /// The number that starts at the scanner, which moves behind it. Throws: also Unusable with this
   /// reason where none does; the scanner then has not moved.
-  Rational take(Scanner& scanner, const char* reason);
+  Number take(Scanner& scanner, const char* reason);
 
  private:
   static constexpr std::size_t kPlainWords = 4;  ///< any decimal of up to 38 digits
@@ -60,6 +60,6 @@ class Scanner {
 };
 
 /// A length in user units: a number, bare or with `px`. Throws: Unusable for anything else.
-Rational parse_length(std::string_view text, Numbers& numbers);
+Number parse_length(std::string_view text, Numbers& numbers);
 
 }  // namespace plumbline

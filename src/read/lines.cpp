@@ -1,9 +1,12 @@
 // LAR's .lines: a row "x1,y1,x2,y2" per segment.
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "geometry/rejected.hpp"
+#include "number/leading_decimal.hpp"
 #include "plumbline/read.hpp"
 #include "read/attribute.hpp"
 
@@ -12,6 +15,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
 constexpr std::size_t kNumbers = 4;
+constexpr const char* kElement = "row";
 
 std::string_view trimmed(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
@@ -28,9 +32,25 @@ std::string printable(std::string_view row) {
   return text;
 }
 
+using Row = std::array<Number, kNumbers>;
+
+/// The row if it is four plain decimals and commas, as rows are.
+std::optional<Row> plain_row(std::string_view row) {
+  Row values;
+  for (std::size_t i = 0; i < kNumbers; ++i) {
+    LeadingDecimal decimal = leading_decimal(row);
+    row.remove_prefix(decimal.length);
+    const bool ends = i + 1 < kNumbers ? row.starts_with(',') : row.empty();
+    if (decimal.length == 0 || !ends) return std::nullopt;
+    row.remove_prefix(std::min<std::size_t>(row.size(), 1));
+    values[i] = std::move(decimal.value);
+  }
+  return values;
+}
+
 /// Throws: Unusable.
-Segment parse_row(std::string_view row, Numbers& numbers) {
-  std::array<Rational, kNumbers> values;
+Row parse_row(std::string_view row, Numbers& numbers) {
+  Row values;
   std::size_t count = 0;
   for (bool more = true; more; ++count) {
     const std::string_view field = row.substr(0, row.find(','));
@@ -39,8 +59,7 @@ Segment parse_row(std::string_view row, Numbers& numbers) {
     if (count < kNumbers) values[count] = numbers.parse(trimmed(field));
   }
   if (count != kNumbers) throw Unusable{"row of " + std::to_string(count) + " values, not 4", {}};
-  return {{std::move(values[0]), std::move(values[1])},
-          {std::move(values[2]), std::move(values[3])}};
+  return values;
 }
 
 }  // namespace
@@ -52,21 +71,25 @@ Structure read_lines(std::string_view text, const std::string& file_name) {
   structure.structs.resize(1);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Numbers numbers;
+  Model model;
+  model.source.element = kElement;
   for (std::uint32_t line = 1; !text.empty(); ++line) {
     const std::string_view whole = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(whole.size() + 1, text.size()));
     const std::string_view row = trimmed(whole);
     if (row.empty()) continue;
     const auto column = static_cast<std::uint32_t>(row.data() - whole.data() + 1);
-    Source source{0, line, column, "row", "", ""};
     try {
-      Segment segment = parse_row(row, numbers);
-      structure.structs[0].body.emplace_back(Model{std::move(source), {std::move(segment)}});
+      std::optional<Row> plain = plain_row(row);
+      auto [ax, ay, bx, by] = plain ? *std::move(plain) : parse_row(row, numbers);
+      model.segments.push_back({std::move(ax), std::move(ay)}, {std::move(bx), std::move(by)});
+      model.rows.push_back({line, column});
     } catch (const Unusable& problem) {
       structure.rejected.push_back(
-          make_rejected(std::move(source), problem.reason, printable(row)));
+          make_rejected({0, line, column, kElement, "", ""}, problem.reason, printable(row)));
     }
   }
+  if (!model.segments.empty()) structure.structs[0].body.emplace_back(std::move(model));
   return structure;
 }
 

@@ -150,7 +150,7 @@ class SvgReader {
       if (child.type() == pugi::node_element) pass_over(child);
     }
     if (pieces.segments.empty()) return;
-    Model model{source_of(element), std::move(pieces.segments)};
+    Model model{source_of(element), std::move(pieces.segments), {}};
     if (!transform) {
       structure_.structs[frames_.back().id].body.emplace_back(std::move(model));
       return;
@@ -196,8 +196,8 @@ class SvgReader {
       reject(element, {"clipping by a nested svg is not understood yet",
                        std::string(width) + " " + std::string(height)});
     }
-    return translation(length_attribute(element, "x", numbers_),
-                       length_attribute(element, "y", numbers_));
+    return translation(length_attribute(element, "x", numbers_).rational(),
+                       length_attribute(element, "y", numbers_).rational());
   }
 
   /// Adds a Struct and a reference to it at the end of the current one.
@@ -211,7 +211,7 @@ class SvgReader {
   static Struct named_struct(const pugi::xml_node& element) {
     const std::string_view label = attribute(element, "inkscape:label");
     Struct result;
-    // Growing a body would copy its models: mpq_class has no noexcept move.
+    // Growing a body would copy its models: Affine has no noexcept move.
     constexpr std::ptrdiff_t kOwnMaps = 2;
     const auto children = element.children();
     const auto items = std::distance(children.begin(), children.end()) + kOwnMaps;

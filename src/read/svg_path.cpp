@@ -90,11 +90,11 @@ class PathParser {
   }
 
   /// A flag is one character and needs no separator behind it.
-  Rational take_flag() {
+  Number take_flag() {
     const char flag = scanner_.peek();
     if (flag != '0' && flag != '1') throw Unusable{kMalformed, {}};
     scanner_.advance();
-    return flag - '0';
+    return Number::decimal(flag - '0', 0);
   }
 
   /// Whether another group of arguments follows; moves to it.
@@ -108,7 +108,7 @@ class PathParser {
   void draw(char command) {
     const bool relative = command != upper(command);
     const std::size_t count = *argument_count(command);
-    Point end = current_;
+    NumberPoint end = current_;
     if (upper(command) == 'V') {
       move(end.y, arguments_[0], relative);
     } else if (upper(command) == 'H') {
@@ -128,7 +128,7 @@ class PathParser {
         break;
       case 'A':
         // An arc without radius is a line (SVG 1.1, F.6.2).
-        if (arguments_[0] == 0 || arguments_[1] == 0) {
+        if (sgn(arguments_[0]) == 0 || sgn(arguments_[1]) == 0) {
           line_to(std::move(end));
           break;
         }
@@ -139,16 +139,12 @@ class PathParser {
     }
   }
 
-  static void move(Rational& coordinate, Rational& argument, bool relative) {
-    if (relative) {
-      coordinate += argument;
-    } else {
-      swap(coordinate, argument);
-    }
+  static void move(Number& coordinate, const Number& argument, bool relative) {
+    coordinate = relative ? coordinate + argument : argument;
   }
 
-  void line_to(Point end) {
-    pieces_.segments.push_back({std::move(current_), end});
+  void line_to(NumberPoint end) {
+    pieces_.segments.push_back(std::move(current_), end);
     current_ = std::move(end);
   }
 
@@ -168,9 +164,9 @@ class PathParser {
   Pieces pieces_;
   bool started_ = false;
   std::size_t piece_begin_ = 0;  ///< of the command or, for repeated ones, of its arguments
-  std::array<Rational, kMostArguments> arguments_;
-  Point current_;
-  Point start_;  ///< of the subpath
+  std::array<Number, kMostArguments> arguments_;
+  NumberPoint current_;
+  NumberPoint start_;  ///< of the subpath
 };
 
 }  // namespace
@@ -182,18 +178,18 @@ Pieces parse_path(std::string_view data, Numbers& numbers) {
 Pieces parse_points(std::string_view points, bool closed, Numbers& numbers) {
   constexpr const char* kMalformedList = "malformed list of points";
   Pieces pieces;
-  std::optional<Point> first;
-  Point last;
+  std::optional<NumberPoint> first;
+  NumberPoint last;
   Scanner scanner(points);
   scanner.skip_blanks();
   std::size_t begin = 0;  // of the current point, its separator included
   try {
     while (!scanner.at_end()) {
-      Point point;
+      NumberPoint point;
       point.x = numbers.take(scanner, kMalformedList);
       scanner.skip_separator();
       point.y = numbers.take(scanner, kMalformedList);
-      if (first) pieces.segments.push_back({std::move(last), point});
+      if (first) pieces.segments.push_back(std::move(last), point);
       if (!first) first = point;
       last = std::move(point);
       begin = scanner.position();
@@ -204,7 +200,7 @@ Pieces parse_points(std::string_view points, bool closed, Numbers& numbers) {
     pieces.refused.push_back(refused_rest(problem, scanner, begin));
     return pieces;
   }
-  if (closed && first && !(last == *first)) pieces.segments.push_back({std::move(last), *first});
+  if (closed && first && !(last == *first)) pieces.segments.push_back(std::move(last), *first);
   return pieces;
 }
 

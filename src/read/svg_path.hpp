@@ -10,7 +10,7 @@ namespace plumbline {
 
 /// What a shape's coordinates draw, and the pieces that could not be used.
 struct Pieces {
-  std::vector<Segment> segments;
+  SegmentList segments;
   std::vector<Unusable> refused;
 };
 

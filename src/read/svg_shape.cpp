@@ -10,18 +10,16 @@ std::string quoted(const char* name, std::string_view value) {
 }
 
 Pieces line(const pugi::xml_node& element, Numbers& numbers) {
-  Segment segment;
-  segment.a.x = length_attribute(element, "x1", numbers);
-  segment.a.y = length_attribute(element, "y1", numbers);
-  segment.b.x = length_attribute(element, "x2", numbers);
-  segment.b.y = length_attribute(element, "y2", numbers);
+  const auto length = [&](const char* name) { return length_attribute(element, name, numbers); };
+  NumberPoint a{length("x1"), length("y1")};
+  NumberPoint b{length("x2"), length("y2")};
   Pieces pieces;
-  pieces.segments.push_back(std::move(segment));
+  pieces.segments.push_back(std::move(a), std::move(b));
   return pieces;
 }
 
 /// The corner radius in an attribute; nothing where it is missing or "auto".
-std::optional<Rational> radius(const pugi::xml_node& element, const char* name, Numbers& numbers) {
+std::optional<Number> radius(const pugi::xml_node& element, const char* name, Numbers& numbers) {
   const pugi::xml_attribute attribute = element.attribute(name);
   if (!attribute || std::string_view(attribute.value()) == "auto") return std::nullopt;
   return length_attribute(element, name, numbers);
@@ -31,42 +29,42 @@ void refuse_round_corners(const pugi::xml_node& element, Numbers& numbers) {
   const auto rx = radius(element, "rx", numbers);
   const auto ry = radius(element, "ry", numbers);
   // A radius that is not given is the other one; if either is 0 the corners are square.
-  if (rx.value_or(ry.value_or(0)) == 0 || ry.value_or(rx.value_or(0)) == 0) return;
+  const Number zero;
+  if (rx.value_or(ry.value_or(zero)) == zero || ry.value_or(rx.value_or(zero)) == zero) return;
   const char* name = rx ? "rx" : "ry";
   throw Unusable{"rounded corners are not understood yet",
                  quoted(name, element.attribute(name).value())};
 }
 
 /// The width or height of a rect: positive, or the rect is not drawn.
-Rational extent(const pugi::xml_node& element, const char* name, Numbers& numbers) {
+Number extent(const pugi::xml_node& element, const char* name, Numbers& numbers) {
   const pugi::xml_attribute attribute = element.attribute(name);
   if (!attribute) throw Unusable{std::string("rect without ") + name, {}};
-  Rational value = length_attribute(element, name, numbers);
+  Number value = length_attribute(element, name, numbers);
   if (sgn(value) > 0) return value;
   throw Unusable{std::string(sgn(value) < 0 ? "negative " : "zero ") + name,
                  quoted(name, attribute.value())};
 }
 
 Pieces rect(const pugi::xml_node& element, Numbers& numbers) {
-  const Rational x = length_attribute(element, "x", numbers);
-  const Rational y = length_attribute(element, "y", numbers);
-  const Rational right = x + extent(element, "width", numbers);
-  const Rational bottom = y + extent(element, "height", numbers);
+  const Number x = length_attribute(element, "x", numbers);
+  const Number y = length_attribute(element, "y", numbers);
+  const Number right = x + extent(element, "width", numbers);
+  const Number bottom = y + extent(element, "height", numbers);
   refuse_round_corners(element, numbers);
-  const Point corners[] = {{x, y}, {right, y}, {right, bottom}, {x, bottom}};
+  const NumberPoint corners[] = {{x, y}, {right, y}, {right, bottom}, {x, bottom}};
   Pieces pieces;
   for (std::size_t i = 0; i < 4; ++i) {
-    pieces.segments.push_back({corners[i], corners[(i + 1) % 4]});
+    pieces.segments.push_back(corners[i], corners[(i + 1) % 4]);
   }
   return pieces;
 }
 
 }  // namespace
 
-Rational length_attribute(const pugi::xml_node& element, const char* name, Numbers& numbers,
-                          const Rational& fallback) {
+Number length_attribute(const pugi::xml_node& element, const char* name, Numbers& numbers) {
   const pugi::xml_attribute attribute = element.attribute(name);
-  if (!attribute) return fallback;
+  if (!attribute) return {};
   try {
     return parse_length(attribute.value(), numbers);
   } catch (const Unusable& problem) {

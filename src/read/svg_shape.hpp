@@ -11,9 +11,8 @@ namespace plumbline {
 /// kept. Throws: Unusable where the element as a whole can't be used. Source: SVG 1.1, 9.
 Pieces parse_shape(const pugi::xml_node& element, std::string_view name, Numbers& numbers);
 
-/// The length in an attribute, `fallback` where it is missing. Throws: Unusable, naming the
+/// The length in an attribute, 0 where it is missing. Throws: Unusable, naming the
 /// attribute.
-Rational length_attribute(const pugi::xml_node& element, const char* name, Numbers& numbers,
-                          const Rational& fallback = 0);
+Number length_attribute(const pugi::xml_node& element, const char* name, Numbers& numbers);
 
 }  // namespace plumbline

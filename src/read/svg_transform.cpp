@@ -55,7 +55,7 @@ Arguments take_arguments(Scanner& scanner, Numbers& numbers) {
   bool comma = false;
   scanner.skip_blanks();
   while (scanner.at_number()) {
-    arguments.push_back(numbers.take(scanner, "malformed transform"));
+    arguments.push_back(numbers.take(scanner, "malformed transform").rational());
     comma = scanner.skip_separator();
   }
   if (comma || scanner.peek() != ')') malformed(scanner.rest(scanner.position()));

@@ -1,5 +1,7 @@
 // Flattening a hierarchy: one traversal with an explicit stack.
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -14,11 +16,46 @@ std::size_t words(const Rational& x) {
   return mpz_size(x.get_num_mpz_t()) + mpz_size(x.get_den_mpz_t());
 }
 
-std::size_t words(const Point& p) { return words(p.x) + words(p.y); }
+/// The same for a Number; a decimal has one word each, or none for 0.
+std::size_t words(const Number& x) {
+  if (!x.is_decimal()) return words(x.rational());
+  return x.mantissa() == 0 ? 1 : 2;
+}
+
+std::size_t words(const NumberPoint& p) { return words(p.x) + words(p.y); }
 
 template <class Function>
 void for_each_entry(const Affine& map, Function function) {
   for (const Rational* entry : {&map.a, &map.b, &map.c, &map.d, &map.e, &map.f}) function(*entry);
+}
+
+/// A map with its entries as Numbers too.
+struct Map {
+  explicit Map(Affine affine)
+      : exact(std::move(affine)),
+        entries{exact.a, exact.b, exact.c, exact.d, exact.e, exact.f},
+        is_decimal(std::all_of(entries.begin(), entries.end(),
+                               [](const Number& entry) { return entry.is_decimal(); })) {}
+
+  Affine exact;
+  std::array<Number, 6> entries;
+  bool is_decimal;
+};
+
+/// p x + q y + r; most entries of the maps in drawings are 0.
+Number linear(const Number& p, const Number& x, const Number& q, const Number& y, const Number& r) {
+  Number sum = p * x;
+  if (sgn(q) != 0) sum = sum + q * y;
+  return sgn(r) != 0 ? sum + r : sum;
+}
+
+NumberPoint apply(const Map& map, const NumberPoint& p) {
+  if (map.is_decimal && p.x.is_decimal() && p.y.is_decimal()) {
+    const auto& [a, b, c, d, e, f] = map.entries;
+    return {linear(a, p.x, c, p.y, e), linear(d, p.y, b, p.x, f)};
+  }
+  Point image = apply(map.exact, Point{p.x.rational(), p.y.rational()});
+  return {std::move(image.x), std::move(image.y)};
 }
 
 class Evaluation {
@@ -54,12 +91,12 @@ class Evaluation {
   }
 
  private:
-  using Map = std::shared_ptr<const Affine>;  ///< null is the identity; shared down the stack
+  using SharedMap = std::shared_ptr<const Map>;  ///< null is the identity; shared down the stack
 
   struct Frame {
     StructId id;
     std::size_t next;  ///< index into the body
-    Map map;           ///< applies to what follows in the body
+    SharedMap map;     ///< applies to what follows in the body
   };
 
   /// Room for as many models and segments as are stored; shared Structs will need more.
@@ -70,7 +107,7 @@ class Evaluation {
       for (const auto& item : s.body) {
         const auto* model = std::get_if<Model>(&item);
         if (model == nullptr) continue;
-        ++models;
+        models += model->rows.empty() ? 1 : model->rows.size();
         segments += model->segments.size();
       }
     }
@@ -79,7 +116,7 @@ class Evaluation {
     result_.segment_source.reserve(segments);
   }
 
-  void enter(StructId id, Map map) {
+  void enter(StructId id, SharedMap map) {
     if (id >= structure_.structs.size()) {
       throw Error(ErrorCode::BadInput, "reference to a Struct that does not exist");
     }
@@ -95,22 +132,36 @@ class Evaluation {
     if (!frames_.empty()) path_.pop();
   }
 
-  void add(const Model& model, const Affine* map) {
+  void add(const Model& model, const Map* map) {
+    if (!model.rows.empty() && model.rows.size() != model.segments.size()) {
+      throw Error(ErrorCode::BadInput, "a Model with rows that are not as many as its segments");
+    }
     Source source = model.source;
     source.path = path_.text();
-    const SourceId id = result_.add_source(std::move(source));
-    for (const Segment& segment : model.segments) {
-      Segment mapped =
-          map == nullptr ? segment : Segment{apply(*map, segment.a), apply(*map, segment.b)};
-      spend(words(mapped.a) + words(mapped.b));
-      result_.add(std::move(mapped), id);
+    SourceId id;
+    if (model.rows.empty()) id = result_.add_source(source);
+    for (std::size_t i = 0; i < model.segments.size(); ++i) {
+      if (!model.rows.empty()) {
+        source.line = model.rows[i].line;
+        source.column = model.rows[i].column;
+        id = result_.add_source(source);
+      }
+      const auto numbers = model.segments.numbers(i);
+      NumberPoint a{numbers[0], numbers[1]};
+      NumberPoint b{numbers[2], numbers[3]};
+      if (map != nullptr) {
+        a = apply(*map, a);
+        b = apply(*map, b);
+      }
+      spend(words(a) + words(b));
+      result_.add(std::move(a), std::move(b), id);
     }
   }
 
-  Map product(const Map& outer, const Affine& inner) {
-    auto map = std::make_shared<const Affine>(outer == nullptr ? inner : compose(*outer, inner));
-    if (*map == Affine{}) return nullptr;
-    for_each_entry(*map, [this](const Rational& entry) {
+  SharedMap product(const SharedMap& outer, const Affine& inner) {
+    Affine map = outer == nullptr ? inner : compose(outer->exact, inner);
+    if (map == Affine{}) return nullptr;
+    for_each_entry(map, [this](const Rational& entry) {
       constexpr std::size_t kWordBits = GMP_NUMB_BITS;
       if (words(entry) > kMaxMapBits / kWordBits) {
         throw Error(ErrorCode::Limit, "nested maps make a number of more than " +
@@ -118,7 +169,7 @@ class Evaluation {
       }
       spend(words(entry));
     });
-    return map;
+    return std::make_shared<const Map>(std::move(map));
   }
 
   void spend(std::size_t word_count) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "plumbline/complex.hpp"
 
@@ -29,6 +32,36 @@ inline plumbline::SegmentSet segments(const std::string& text) {
     }
   }
   return set;
+}
+
+inline std::vector<plumbline::Segment> to_vector(const plumbline::SegmentList& segments) {
+  return {segments.begin(), segments.end()};
+}
+
+/// The segments, each changed by `change`.
+template <class Change>
+plumbline::SegmentList changed(const plumbline::SegmentList& segments, Change change) {
+  std::vector<plumbline::Segment> all = to_vector(segments);
+  for (plumbline::Segment& s : all) change(s);
+  return plumbline::SegmentList(all);
+}
+
+inline plumbline::SegmentList reversed(const plumbline::SegmentList& segments) {
+  return changed(segments, [](plumbline::Segment& s) { std::swap(s.a, s.b); });
+}
+
+template <class Random>
+plumbline::SegmentList shuffled(const plumbline::SegmentList& segments, Random& random) {
+  std::vector<plumbline::Segment> all = to_vector(segments);
+  std::shuffle(all.begin(), all.end(), random);
+  return plumbline::SegmentList(all);
+}
+
+/// The first, then the second.
+inline plumbline::SegmentList joined(plumbline::SegmentList first,
+                                     const plumbline::SegmentList& second) {
+  for (const plumbline::Segment& s : second) first.push_back(s);
+  return first;
 }
 
 /// An axis-parallel rectangle as text for `segments`.

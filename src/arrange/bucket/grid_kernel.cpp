@@ -92,8 +92,9 @@ std::optional<GridInput> GridInput::from(const SegmentSet& input, Job& job) {
     mpz_class work;
     for (std::size_t i = begin; i < end; ++i) {
       auto& line = grid.lines[i];
-      const Point& a = i < segments ? input.segments[i].a : input.points[i - segments];
-      const Point& b = i < segments ? input.segments[i].b : a;
+      const auto [a, b] = i < segments
+                              ? input.segments[i]
+                              : Segment{input.points[i - segments], input.points[i - segments]};
       if (!on_grid(a.x, *scale, work, line[0]) || !on_grid(a.y, *scale, work, line[1]) ||
           !on_grid(b.x, *scale, work, line[2]) || !on_grid(b.y, *scale, work, line[3])) {
         fits = false;

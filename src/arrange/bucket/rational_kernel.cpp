@@ -46,8 +46,9 @@ RationalKernel::RationalKernel(const SegmentSet& input, Job& job)
     : lines_(input.segments.size() + input.points.size()), approx_(lines_.size()) {
   const std::size_t segments = input.segments.size();
   job.for_each(lines_.size(), [&](std::size_t i) {
-    const Point& p = i < segments ? input.segments[i].a : input.points[i - segments];
-    const Point& q = i < segments ? input.segments[i].b : p;
+    const auto [p, q] = i < segments
+                            ? input.segments[i]
+                            : Segment{input.points[i - segments], input.points[i - segments]};
     const Point &a = q < p ? q : p, &b = q < p ? p : q;
     lines_[i] = {a.x, a.y, b.x, b.y};
   });
