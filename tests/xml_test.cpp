@@ -58,6 +58,16 @@ TEST_CASE("malformed XML is refused with file, line and column") {
   CHECK(error_of(text).substr(0, start.size()) == start);
 }
 
+TEST_CASE("a duplicate is found among few attributes and among many") {
+  for (const int count : {2, 5, 16, 17, 40, 3000}) {
+    std::string attributes;
+    for (int i = 0; i < count; ++i) attributes += " a" + std::to_string(i) + "='1'";
+    CHECK(error_of("<svg" + attributes + "/>") == "accepted");
+    CHECK(error_of("<svg" + attributes + " a" + std::to_string(count / 2) + "='2'/>") ==
+          "a.svg:1:1: malformed XML: duplicate attribute: \"a" + std::to_string(count / 2) + "\"");
+  }
+}
+
 TEST_CASE("every encoding of the same drawing is read, with its line numbers") {
   const std::string plain = "<svg>\n<g id='A'>\n<line x2='1'/></g></svg>";
   const std::string expected = "0 0, 1 0 | a.svg:3:1 line (A)\n";

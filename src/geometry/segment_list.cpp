@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "plumbline/geometry.hpp"
 
 namespace plumbline {
@@ -23,6 +25,7 @@ void SegmentList::push_back(Segment segment) {
 }
 
 void SegmentList::push_back(NumberPoint a, NumberPoint b) {
+  if (numbers_.size() == numbers_.capacity()) reserve(std::max<std::size_t>(1, 2 * size()));
   numbers_.push_back(std::move(a.x));
   numbers_.push_back(std::move(a.y));
   numbers_.push_back(std::move(b.x));

@@ -1,5 +1,6 @@
 #include "read/attribute.hpp"
 
+#include "number/leading_decimal.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline {
@@ -74,6 +75,8 @@ std::string_view Scanner::number() const {
 }
 
 Number parse_length(std::string_view text, Numbers& numbers) {
+  LeadingDecimal plain = leading_decimal(text);
+  if (plain.length == text.size() && !text.empty()) return std::move(plain.value);
   Scanner scanner(text);
   scanner.skip_blanks();
   const std::string_view number = scanner.number();

@@ -102,7 +102,7 @@ class SvgReader {
   void step() {
     Frame& frame = frames_.back();
     if (!frame.next) {
-      namespaces_.leave(frame.element);
+      namespaces_.leave();
       frames_.pop_back();
       if (!frames_.empty()) path_.pop();
       return;
@@ -127,7 +127,7 @@ class SvgReader {
     } catch (const Unusable& problem) {
       reject(element, problem);
     }
-    if (frames_.size() == depth) namespaces_.leave(element);
+    if (frames_.size() == depth) namespaces_.leave();
   }
 
   void open(const pugi::xml_node& element, std::string_view name) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "read/xml.hpp"
 
@@ -35,9 +36,12 @@ std::string_view prefix(std::string_view name) {
 
 /// The prefix that an attribute declares ("" for the default namespace), if it is a declaration.
 const char* declared_prefix(const pugi::xml_attribute& attribute) {
-  const std::string_view name = attribute.name();
-  if (name == "xmlns") return "";
-  return name.starts_with("xmlns:") ? attribute.name() + 6 : nullptr;
+  constexpr std::string_view kXmlns = "xmlns";
+  const char* const name = attribute.name();
+  if (std::strncmp(name, kXmlns.data(), kXmlns.size()) != 0) return nullptr;
+  const char* const rest = name + kXmlns.size();
+  if (*rest == '\0') return "";
+  return *rest == ':' ? rest + 1 : nullptr;
 }
 
 }  // namespace
@@ -62,15 +66,20 @@ bool holds_drawing(const pugi::xml_node& top) {
 }
 
 void Namespaces::enter(const pugi::xml_node& element) {
-  for (const auto& attribute : element.attributes()) {
-    if (const char* name = declared_prefix(attribute)) uris_[name].emplace_back(attribute.value());
+  entered_.push_back(declared_.size());
+  for (auto a = element.first_attribute(); a; a = a.next_attribute()) {
+    const char* const name = declared_prefix(a);
+    if (name == nullptr) continue;
+    uris_[name].emplace_back(a.value());
+    declared_.emplace_back(name);
   }
 }
 
-void Namespaces::leave(const pugi::xml_node& element) {
-  for (const auto& attribute : element.attributes()) {
-    if (const char* name = declared_prefix(attribute)) uris_[name].pop_back();
+void Namespaces::leave() {
+  for (; declared_.size() > entered_.back(); declared_.pop_back()) {
+    uris_[declared_.back()].pop_back();
   }
+  entered_.pop_back();
 }
 
 bool Namespaces::is_svg(const pugi::xml_node& element) const {

@@ -28,15 +28,17 @@ bool holds_drawing(const pugi::xml_node& top);
 /// The namespace prefixes in force on the way down a document.
 class Namespaces {
  public:
-  /// Takes in the declarations of an element, takes them back.
+  /// Takes in the declarations of an element, takes back those of the last one entered.
   void enter(const pugi::xml_node& element);
-  void leave(const pugi::xml_node& element);
+  void leave();
   /// Whether the element, which was entered, is SVG's. A document that declares no namespace at all
   /// counts as SVG.
   bool is_svg(const pugi::xml_node& element) const;
 
  private:
   std::unordered_map<std::string, std::vector<std::string>> uris_;  ///< per prefix, innermost last
+  std::vector<std::string> declared_;  ///< the prefixes, in the order of their declarations
+  std::vector<std::size_t> entered_;   ///< of declared_, before each element that is open
 };
 
 }  // namespace plumbline

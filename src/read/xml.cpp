@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 
 #include "read/encoding.hpp"
 #include "read/entities.hpp"
@@ -15,6 +16,26 @@ std::vector<std::size_t> line_begins(std::string_view text) {
     begins.push_back(end + 1);
   }
   return begins;
+}
+
+/// A name that is in the list twice, or null.
+const char* repeated(std::vector<const char*>& names) {
+  constexpr std::size_t kFew = 16;  // so many are compared in pairs; more are sorted
+  const auto equal = [](const char* a, const char* b) {
+    return *a == *b && std::strcmp(a, b) == 0;
+  };
+  if (names.size() > kFew) {
+    const auto less = [](const char* a, const char* b) { return std::strcmp(a, b) < 0; };
+    std::sort(names.begin(), names.end(), less);
+    const auto twice = std::adjacent_find(names.begin(), names.end(), equal);
+    return twice == names.end() ? nullptr : *twice;
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (equal(names[i], names[j])) return names[i];
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -70,15 +91,12 @@ void XmlDocument::check_top_level() const {
 }
 
 void XmlDocument::check_attributes() const {
-  std::vector<std::string_view> names;
+  std::vector<const char*> names;
   for (auto node = root(); node; node = next_below(root(), node)) {
     names.clear();
-    for (const auto& attribute : node.attributes()) names.emplace_back(attribute.name());
-    std::sort(names.begin(), names.end());
-    const auto twice = std::adjacent_find(names.begin(), names.end());
-    if (twice != names.end()) {
-      throw Error(ErrorCode::BadInput, "malformed XML: duplicate attribute", place(node),
-                  std::string(*twice));
+    for (auto a = node.first_attribute(); a; a = a.next_attribute()) names.push_back(a.name());
+    if (const char* name = repeated(names)) {
+      throw Error(ErrorCode::BadInput, "malformed XML: duplicate attribute", place(node), name);
     }
   }
 }
