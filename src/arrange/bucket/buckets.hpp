@@ -2,6 +2,7 @@
 
 // Step 3: the plane divided into buckets.
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,16 +15,18 @@ namespace plumbline::bucket {
 
 struct Split;
 
-/// The plane divided into boxes ("buckets"), each with the lines that cross it: a uniform grid
-/// whose full cells are split further, alternately at the centroid (the idea of LAR's buckets:
-/// inters, 2.1). Every point belongs to one bucket. A bucket lists each line that comes within
-/// `margin` of it, so a point that is known only to within the margin still finds all its lines in
-/// its bucket. Buckets below the number of cells are cells; from there on they are parts of cells.
+/// The plane divided into parts ("buckets"), each with the lines that cross it: a uniform grid
+/// whose full cells are split further at the centroid, along x, y or across the lines' common
+/// direction (the idea of LAR's buckets: inters, 2.1). Every point belongs to one bucket. A bucket
+/// lists each line that comes within `margin` of it, so a point that is known only to within the
+/// margin still finds all its lines in its bucket. Buckets below the number of cells are cells;
+/// from there on they are parts of cells.
 class Buckets {
  public:
   Buckets(std::span<const Approx> lines, double margin, Job& job);
 
   std::size_t size() const { return cell_node_.size() + parts_.size(); }
+  /// A box around a bucket.
   Box box(std::size_t bucket) const {
     return bucket < cell_node_.size() ? cell_box(bucket) : part_boxes_[bucket - cell_node_.size()];
   }
@@ -38,23 +41,31 @@ class Buckets {
   }
   double margin() const { return margin_; }
 
-  /// Calls visit(bucket) for the buckets that the vertical line through (x, y) meets, from y
-  /// downwards, until it returns false.
+  /// Calls visit(bucket, bottom) for the buckets that the vertical line through (x, y) meets, from
+  /// y downwards, until it returns false; on the line, nothing of the bucket is above its
+  /// predecessors or, by more than the margin, below `bottom`.
   template <class Visit>
   void down(double x, double y, Visit visit) const {
     const std::size_t c = column(x);
     for (std::size_t r = row(y) + 1; r-- > 0;) {
       const std::size_t cell = r * columns_ + c;
-      if (cell_node_[cell] == kNone ? !visit(cell) : !down(cell_node_[cell], x, y, visit)) return;
+      const double bottom = cell_box(cell).y0;
+      if (cell_node_[cell] == kNone ? !visit(cell, bottom)
+                                    : !down(cell_node_[cell], x, y, bottom, visit)) {
+        return;
+      }
     }
   }
 
  private:
-  /// A cell or part of one: a bucket, or (if split) a pair of nodes below and above `at`.
+  /// A cell or part of one: a bucket, or a pair of nodes on both sides of a straight line.
   struct Node {
-    double at;
-    std::uint32_t low;  ///< the bucket, or the node below; the node above is low + 1
-    enum Kind : std::uint32_t { Leaf, SplitX, SplitY } kind;
+    double x = 0, y = 0;    ///< the line's normal; (0, 0) for a bucket
+    double at = 0;          ///< of the line: x times its x + y times its y
+    std::uint32_t low = 0;  ///< the bucket, or the node below `at`; the node above is low + 1
+
+    bool is_bucket() const { return x == 0 && y == 0; }
+    bool is_high(double px, double py) const { return !(x * px + y * py < at); }
   };
   /// A node still to be split or made a bucket.
   struct Open {
@@ -65,11 +76,17 @@ class Buckets {
 
   std::size_t part_at(std::uint32_t node, double x, double y) const;
   template <class Visit>
-  bool down(std::uint32_t node, double x, double y, Visit& visit) const {
+  bool down(std::uint32_t node, double x, double y, double bottom, Visit& visit) const {
     const Node& n = nodes_[node];
-    if (n.kind == Node::Leaf) return visit(n.low);
-    if (n.kind == Node::SplitX) return down(n.low + (x < n.at ? 0 : 1), x, y, visit);
-    return (y < n.at || down(n.low + 1, x, y, visit)) && down(n.low, x, y, visit);
+    if (n.is_bucket()) return visit(n.low, bottom);
+    const bool high = n.is_high(x, y);
+    if (n.y == 0) return down(n.low + (high ? 1 : 0), x, y, bottom, visit);
+    if (high == (n.y > 0)) {
+      const double border = (n.at - n.x * x) / n.y + 4 * margin_ / std::abs(n.y);
+      if (!down(n.low + (high ? 1 : 0), x, y, std::max(bottom, border), visit)) return false;
+      if (border < bottom) return true;
+    }
+    return down(n.low + (n.y > 0 ? 0 : 1), x, y, bottom, visit);
   }
 
   std::size_t column(double x) const { return index((x - extent_.x0) * per_width_, columns_); }
@@ -86,7 +103,8 @@ class Buckets {
   void settle(Open& open, Split& split, std::vector<Open>& next);
 
   double margin_;
-  Box extent_{0, 0, 1, 1};
+  Box whole_{0, 0, 1, 1};   ///< around all lines
+  Box extent_{0, 0, 1, 1};  ///< of the grid; its outer cells go on to the border of the whole
   std::size_t columns_ = 1, rows_ = 1;
   double column_width_ = 1, row_height_ = 1, per_width_ = 1, per_height_ = 1;
   Grouped<LineId> members_;               ///< per cell

@@ -34,9 +34,8 @@ void join_ends(const Scene<Kernel>& scene, std::size_t bucket, std::vector<EndId
 
 template <class Kernel>
 void search_bucket(const Scene<Kernel>& scene, std::size_t bucket, Meetings& found) {
-  constexpr std::size_t kFew = 24;
   const std::span<const LineId> lines = scene.buckets.lines(bucket);
-  if (lines.size() > kFew) {
+  if (lines.size() > kFullBucket) {
     Pencils<Kernel>(scene, bucket, found).search(lines);
     return;
   }

@@ -86,7 +86,7 @@ class Rays {
     const double x = l.ax, y = l.ay;
     LineId best = kNone;
     double height = 0;
-    buckets_.down(x, y, [&](std::size_t bucket) {
+    buckets_.down(x, y, [&](std::size_t bucket, double bottom) {
       for (const LineId s : buckets_.lines(bucket)) {
         if (s == best || !passes_below(s, end, x, y)) continue;
         if (best != kNone && kernel_.compare_heights(s, best, end) <= 0) continue;
@@ -94,7 +94,7 @@ class Rays {
         height = height_at(s, x);
       }
       // What lies higher than the bottom of this bucket has been seen.
-      return best == kNone || height < buckets_.box(bucket).y0 + buckets_.margin();
+      return best == kNone || height < bottom + buckets_.margin();
     });
     return best == kNone ? HalfedgeId() : halfedge(edge_right_of(best, end), false);
   }

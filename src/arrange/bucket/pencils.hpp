@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "arrange/bucket/pairs.hpp"
+#include "arrange/bucket/split.hpp"
 
 namespace plumbline::bucket {
 
@@ -37,7 +38,9 @@ class Pencils {
           test(i, j);
         }
       }
-      if (!row_.empty()) record_row(i);
+      if (row_.empty()) continue;
+      record_row(i);
+      if (all_in_one_pencil()) return;
     }
   }
 
@@ -72,43 +75,16 @@ class Pencils {
 
   /// Sorts the lines by their extent across the mean direction, inside this bucket.
   void sort_across(std::span<const LineId> lines) {
-    double c = 0, s = 0;  // of the doubled angle, so that opposite directions agree
-    for (const LineId line : lines) {
-      const Approx& l = scene_.approx[line];
-      const double dx = l.bx - l.ax, dy = l.by - l.ay, length2 = dx * dx + dy * dy;
-      if (!(length2 > 0)) continue;
-      c += (dx * dx - dy * dy) / length2;
-      s += 2 * dx * dy / length2;
-    }
-    const double angle = std::atan2(s, c) / 2;
-    const double nx = -std::sin(angle), ny = std::cos(angle);
+    const PointD normal = across(lines, scene_.approx).normal;
     members_.reserve(lines.size());
     for (const LineId line : lines) {
-      const auto [p, q] = clipped(scene_.approx[line]);
-      const double u = nx * p.x + ny * p.y, v = nx * q.x + ny * q.y;
+      const auto [p, q] = clipped(scene_.approx[line], box_, margin_);
+      const double u = normal.x * p.x + normal.y * p.y, v = normal.x * q.x + normal.y * q.y;
       members_.push_back({std::min(u, v) - margin_, std::max(u, v) + margin_, line, 0});
     }
     std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
       return a.low != b.low ? a.low < b.low : a.line < b.line;
     });
-  }
-
-  /// The ends of the part of a line within the box, widened by the margin; the whole line where
-  /// rounding leaves nothing.
-  std::pair<PointD, PointD> clipped(const Approx& l) const {
-    double t0 = 0, t1 = 1;
-    const auto clip = [&](double from, double d, double low, double high) {
-      if (d == 0) return;
-      double u = (low - margin_ - from) / d, v = (high + margin_ - from) / d;
-      if (v < u) std::swap(u, v);
-      t0 = std::max(t0, u);
-      t1 = std::min(t1, v);
-    };
-    const double dx = l.bx - l.ax, dy = l.by - l.ay;
-    clip(l.ax, dx, box_.x0, box_.x1);
-    clip(l.ay, dy, box_.y0, box_.y1);
-    if (!(t0 <= t1)) return {{l.ax, l.ay}, {l.bx, l.by}};
-    return {{l.ax + t0 * dx, l.ay + t0 * dy}, {l.ax + t1 * dx, l.ay + t1 * dy}};
   }
 
   void test(std::size_t i, std::size_t j) {
@@ -257,6 +233,11 @@ class Pencils {
       const LineId cutter = kernel_.compare_directions(line, pencil.s) != 0 ? pencil.s : pencil.o;
       found_.throughs.push_back({line, pencil.crossing, kernel_.parameter(line, cutter)});
     }
+  }
+  bool all_in_one_pencil() const {
+    std::uint64_t all = ~std::uint64_t{0};
+    for (const std::uint64_t common : common_) all &= common;
+    return all != 0;
   }
   void add_touch(LineId line, EndId end) {
     found_.touches.push_back({line, end, scene_.along(line, scene_.place(end))});

@@ -1,0 +1,153 @@
+#include "arrange/bucket/split.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace plumbline::bucket {
+namespace {
+
+/// A split must leave fewer than this times the lines in its two parts together.
+constexpr double kProgress = 1.5;
+/// Where more than this share of the pairs cross, tests of pairs are not wasted, but smaller
+/// buckets are done in parallel; then a split may leave nearly all lines on both sides.
+constexpr double kDense = 0.2, kProgressIfDense = 1.9;
+/// Where more than this agree in direction, they are split across it if that is better.
+constexpr double kAligned = 0.9;
+
+/// What a few pairs of lines say about all of them, as far as doubles can tell.
+struct Pairs {
+  bool pencil = false;  ///< nearly all lines go through one point
+  double crossing = 0;  ///< the share of pairs that cross inside the box
+};
+
+bool is_pencil(const PointD& p, double tolerance, const std::vector<LineId>& members,
+               std::span<const Approx> lines) {
+  constexpr std::size_t kProbes = 64;
+  constexpr double kNearly = 0.9;
+  std::size_t through = 0;
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    const Approx& l = lines[members[k * members.size() / kProbes]];
+    const double dx = l.bx - l.ax, dy = l.by - l.ay;
+    const double off = dx * (p.y - l.ay) - dy * (p.x - l.ax);
+    if (std::abs(off) <= tolerance * (std::abs(dx) + std::abs(dy))) ++through;
+  }
+  return static_cast<double>(through) >= kNearly * kProbes;
+}
+
+Pairs look_at_pairs(const Box& box, const std::vector<LineId>& members,
+                    std::span<const Approx> lines, double margin) {
+  constexpr std::size_t kPairs = 32;
+  constexpr double kSlack = 16;
+  Pairs result;
+  PointD best{};
+  double best_sine = 0;
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Approx& l = lines[members[k * members.size() / (2 * kPairs)]];
+    const Approx& m = lines[members[(k * 7 % kPairs + kPairs) * members.size() / (2 * kPairs)]];
+    const double dx = l.bx - l.ax, dy = l.by - l.ay, ex = m.bx - m.ax, ey = m.by - m.ay;
+    const double turn = dx * ey - dy * ex;
+    const double sine = std::abs(turn) / std::sqrt((dx * dx + dy * dy) * (ex * ex + ey * ey));
+    if (!(sine > 0)) continue;
+    const double t = ((m.ax - l.ax) * ey - (m.ay - l.ay) * ex) / turn;
+    const double u = ((m.ax - l.ax) * dy - (m.ay - l.ay) * dx) / turn;
+    const PointD p{l.ax + t * dx, l.ay + t * dy};
+    if (t >= 0 && t <= 1 && u >= 0 && u <= 1 && box.x0 <= p.x && p.x <= box.x1 && box.y0 <= p.y &&
+        p.y <= box.y1) {
+      result.crossing += 1.0 / kPairs;
+    }
+    if (sine > best_sine) {
+      best_sine = sine;
+      best = p;
+    }
+  }
+  result.pencil = best_sine > 0 && is_pencil(best, kSlack * margin / best_sine, members, lines);
+  return result;
+}
+
+/// Splits at the centroid of the parts of the lines inside the box.
+Split split_along(const PointD& normal, const Box& box, const std::vector<LineId>& members,
+                  std::span<const Approx> lines, double margin) {
+  // A point within the margin of a line, and the rounding of its projection.
+  const double slack = 2 * margin;
+  std::vector<std::pair<double, double>> ranges;
+  ranges.reserve(members.size());
+  Split result;
+  result.normal = normal;
+  for (const LineId s : members) {
+    const auto [p, q] = clipped(lines[s], box, slack);
+    const auto [low, high] =
+        std::minmax({normal.x * p.x + normal.y * p.y, normal.x * q.x + normal.y * q.y});
+    ranges.emplace_back(low, high);
+    result.at += (low + high) / 2;
+  }
+  result.at /= static_cast<double>(members.size());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (ranges[i].first - slack <= result.at) result.low.push_back(members[i]);
+    if (ranges[i].second + slack >= result.at) result.high.push_back(members[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Across across(std::span<const LineId> members, std::span<const Approx> lines) {
+  double c = 0, s = 0;  // of the doubled angle, so that opposite directions agree
+  for (const LineId line : members) {
+    const Approx& l = lines[line];
+    const double dx = l.bx - l.ax, dy = l.by - l.ay, length2 = dx * dx + dy * dy;
+    if (!(length2 > 0)) continue;
+    c += (dx * dx - dy * dy) / length2;
+    s += 2 * dx * dy / length2;
+  }
+  const double angle = std::atan2(s, c) / 2;
+  return {{-std::sin(angle), std::cos(angle)},
+          std::sqrt(c * c + s * s) / static_cast<double>(members.size())};
+}
+
+std::pair<PointD, PointD> clipped(const Approx& l, const Box& box, double slack) {
+  double t0 = 0, t1 = 1;
+  const auto clip = [&](double from, double d, double low, double high) {
+    if (d == 0) return;
+    double u = (low - slack - from) / d, v = (high + slack - from) / d;
+    if (v < u) std::swap(u, v);
+    t0 = std::max(t0, u);
+    t1 = std::min(t1, v);
+  };
+  const double dx = l.bx - l.ax, dy = l.by - l.ay;
+  clip(l.ax, dx, box.x0, box.x1);
+  clip(l.ay, dy, box.y0, box.y1);
+  if (!(t0 <= t1)) return {{l.ax, l.ay}, {l.bx, l.by}};
+  return {{l.ax + t0 * dx, l.ay + t0 * dy}, {l.ax + t1 * dx, l.ay + t1 * dy}};
+}
+
+Split split(const Box& box, const std::vector<LineId>& members, std::span<const Approx> lines,
+            double margin) {
+  if (members.size() <= kFullBucket) return {};
+  const Pairs pairs = look_at_pairs(box, members, lines, margin);
+  if (pairs.pencil) return {};
+  Split best = split_along({1, 0}, box, members, lines, margin);
+  best.low_box = best.high_box = box;
+  best.low_box.x1 = best.high_box.x0 = best.at;
+  if (Split other = split_along({0, 1}, box, members, lines, margin); other.size() < best.size()) {
+    best = std::move(other);
+    best.low_box = best.high_box = box;
+    best.low_box.y1 = best.high_box.y0 = best.at;
+  }
+  const double count = static_cast<double>(members.size());
+  if (static_cast<double>(best.size()) > 1.1 * count) {
+    if (const Across common = across(members, lines); common.agreement > kAligned) {
+      Split other = split_along(common.normal, box, members, lines, margin);
+      if (other.size() < best.size()) {
+        best = std::move(other);
+        best.low_box = best.high_box = box;
+      }
+    }
+  }
+  best.useful = best.low.size() < members.size() && best.high.size() < members.size() &&
+                static_cast<double>(best.size()) <
+                    (pairs.crossing > kDense ? kProgressIfDense : kProgress) * count;
+  return best;
+}
+
+}  // namespace plumbline::bucket
