@@ -2,7 +2,10 @@
 // tests/data/README.md.
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 
 #include "lar/published/stages.hpp"
 #include "plumbline/write.hpp"
@@ -137,4 +140,58 @@ TEST_CASE("SVG text is read as the original read it") {
     CHECK(svg_to_lines(svg, true, vcode) == recorded_lines(recorded_case["lines"]));
     CHECK(svg_to_lines(svg, false, vcode) == recorded_lines(recorded_case["diagonals"]));
   }
+}
+
+TEST_CASE("the document's facade has three cells of 40 vertices and 40 edges, as printed") {
+  // Section 2.11 of the document.
+  const std::vector<std::vector<std::size_t>> printed{
+      {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13,
+       16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 27, 28, 29, 30},
+      {32, 33, 37, 39},
+      {34, 35, 36, 38, 26, 15, 14, 31}};
+  const rapidjson::Document cases = recorded("inters.json");
+  for (const auto& recorded_case : cases.GetArray()) {
+    if (recorded_case["case"].GetString() != std::string("svg-inters-facade")) continue;
+    const Trace trace = run(recorded_lines(recorded_case["lines"]));
+    REQUIRE(trace.two_complex);
+    const Model& model = *trace.two_complex;
+    CHECK(model.vertices.size() == 40);
+    CHECK(model.vertices[0] == PointD{0.7808, 0.6751});
+    CHECK(model.vertices[39] == PointD{0.3789, 0.7059});
+    CHECK(model.edges.size() == 40);
+    REQUIRE(model.faces.size() == 3);
+    const std::set<std::size_t> first(model.faces[0].begin(), model.faces[0].end());
+    CHECK(first == std::set<std::size_t>(printed[0].begin(), printed[0].end()));
+    for (const std::size_t f : {1U, 2U}) {  // in the printed order, which is a set's
+      CHECK(std::vector<std::size_t>(model.faces[f].begin(), model.faces[f].end()) == printed[f]);
+    }
+    const auto boundary = [&](std::vector<std::size_t> chain) {
+      return boundary_chain(model, chain).size();
+    };
+    // The three faces have no edge in common.
+    CHECK(boundary({0}) == 28);
+    CHECK(boundary({1}) == 4);
+    CHECK(boundary({2}) == 8);
+    CHECK(boundary({0, 1}) == 32);
+    CHECK(boundary({0, 0}) == 0);
+  }
+}
+
+TEST_CASE(
+    "random segments are determined by their seed, lie from 0 up and are no longer than scaled") {
+  const std::vector<lar::SegmentD> lines = random_lines(500, 0.1, 7);
+  CHECK(lines == random_lines(500, 0.1, 7));
+  CHECK(lines != random_lines(500, 0.1, 8));
+  CHECK(random_lines(0, 0.1, 7).empty());
+  CHECK_THROWS_AS(random_lines(1, std::numeric_limits<double>::infinity(), 7), Error);
+  double least_x = 1, least_y = 1, longest = 0;
+  for (const auto& [a, b] : lines) {
+    least_x = std::min({least_x, a.x, b.x});
+    least_y = std::min({least_y, a.y, b.y});
+    longest = std::max(longest, std::hypot(a.x - b.x, a.y - b.y));
+  }
+  CHECK(least_x == 0);
+  CHECK(least_y == 0);
+  CHECK(longest < 0.1 * std::sqrt(2.0) + 2e-4);  // and the quantum
+  CHECK(longest > 0.1);
 }

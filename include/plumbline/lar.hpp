@@ -108,6 +108,20 @@ struct Result {
 /// double.
 Result arrange(const SegmentSet& input, const Options& options = {});
 
+/// The boundary of a chain of faces: the halfedges with a face of the chain on their left and none
+/// on their right. Ascending. Section 2.11 (chain2BoundaryChain). Throws here and below: Error
+/// BadInput for a face that the complex has not.
+std::vector<HalfedgeId> boundary_chain(const Incidences& complex, std::span<const FaceId> chain);
+
+/// The same as closed walks, counter-clockwise around the chain, clockwise around its holes; those
+/// that touch in a vertex stay apart. By least halfedge, which each starts with. Section 2.12
+/// (boundaryCycles).
+Lists<HalfedgeId> boundary_cycles(const Incidences& complex, std::span<const FaceId> chain);
+
+/// The same as closed polylines, the first point repeated. Section 2.12 (boundaryPolylines).
+std::vector<std::vector<PointD>> boundary_polylines(const FloatComplex& complex,
+                                                    std::span<const FaceId> chain);
+
 /// The drawing mapped onto the unit square: the longer side of its box becomes 1, the left edge 0,
 /// the top 1; y is turned upwards. **Exact**. Degenerate: a drawing without extent is only moved.
 /// Section 4 (SVG input normalization).

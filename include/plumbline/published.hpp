@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -124,6 +125,7 @@ struct Trace {
   std::vector<Outcome<std::vector<SignedCycle>>> boundary_cycles;  ///< per component
   std::optional<LatticeArray> lattice;
   std::optional<CycleCells> cells;
+  std::optional<Model> two_complex;  ///< of the cells: faces are the vertices of their cycles
   std::optional<SimpleCycles> simple_cycles;  ///< only where not all components are simple
   std::optional<LatticeArray> faces_lattice;  ///< of the faces of the result
   std::vector<Failure> failures;
@@ -131,6 +133,11 @@ struct Trace {
 
 /// The segments in doubles, in their order, neither made unique nor turned.
 std::vector<SegmentD> lines(const SegmentSet& input);
+
+/// n random segments (appendix, `randomLines`): the differences of random points of the unit
+/// square, scaled, about random points; moved to where the least coordinates are 0. A seed
+/// determines them, on every machine. Throws: Error BadInput for a scaling that is not finite.
+std::vector<SegmentD> random_lines(std::size_t n, double scaling, std::uint64_t seed);
 
 /// The segments mapped to the unit square and quantised as the original's SVG input: the longer
 /// side becomes 1, the shorter one starts at 0, the top is 1, y is turned upwards. Throws: Error

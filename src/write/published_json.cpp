@@ -97,6 +97,12 @@ void write_cycles(TraceWriter& json, const Trace& trace) {
   json.member("boundaryCycles", trace.boundary_cycles);
   if (trace.lattice) json.member("latticeArray", *trace.lattice);
   if (trace.cells) json.member("cellsFromCycles", *trace.cells);
+  if (trace.two_complex) {
+    json.Key("twoComplex");
+    json.StartObject();
+    write_model(json, *trace.two_complex);
+    json.EndObject();
+  }
   if (trace.simple_cycles) {
     json.Key("simpleCycles");
     json.StartObject();

@@ -95,7 +95,10 @@ void trace_containment(Trace& trace, const Vcode& vcode) {
   const bool are_simple = attempt(trace, "latticeArray", [&] {
     trace.lattice = lattice_array(trace.lar.vertices, trace.components, vcode);
   });
-  if (are_simple) trace.cells = cells_from_cycles(*trace.lattice);
+  if (are_simple) {
+    trace.cells = cells_from_cycles(*trace.lattice);
+    trace.two_complex = two_complex(trace.lar, trace.components, *trace.cells);
+  }
   if (!are_simple) trace_simple_cycles(trace, vcode);
   if (!trace.lar_from_lines || trace.lar_from_lines->faces.size() < 2) return;
   const Model& result = *trace.lar_from_lines;

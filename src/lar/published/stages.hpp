@@ -124,4 +124,16 @@ LatticeArray lattice_array(std::span<const PointD> vertices,
 /// Cells of solid and void by turns (cellsFromCycles; P7). Section 2.6.
 CycleCells cells_from_cycles(const LatticeArray& lattice);
 
+/// The vertices of a cycle, in the order of a set of numbers.
+std::vector<VertexId> cycle_vertices(std::span<const VertexPair> edges);
+
+/// The model whose faces are the cells, each as the vertices of its cycles one after the other.
+/// Section 2.11.
+Model two_complex(const Model& lar, std::span<const std::vector<VertexPair>> cycles,
+                  const CycleCells& cells);
+
+/// The edges that bound a chain of faces, modulo 2: an edge is incident to the faces that have both
+/// its vertices. Ascending. Section 2.11 (chain2BoundaryChain).
+std::vector<std::size_t> boundary_chain(const Model& model, std::span<const std::size_t> faces);
+
 }  // namespace plumbline::lar::published
