@@ -81,8 +81,8 @@ void Buckets::for_cells(const Approx& line, Visit visit) const {
     const double row_bottom = extent_.y0 + static_cast<double>(r) * row_height_;
     const double low = r == 0 ? -INFINITY : row_bottom;
     const double high = r + 1 == rows_ ? INFINITY : row_bottom + row_height_;
-    const auto [x0, x1] = first == last ? std::pair(line.ax - margin_, line.bx + margin_)
-                                        : band.between(low, high);
+    const auto [x0, x1] =
+        first == last ? std::pair(line.ax - margin_, line.bx + margin_) : band.between(low, high);
     const std::size_t end = column(x1);
     for (std::size_t c = column(x0); c <= end; ++c) visit(r * columns_ + c);
   }
@@ -129,7 +129,7 @@ void Buckets::split_full_cells(std::span<const Approx> lines, Job& job) {
     if (here.size() <= kFullBucket) continue;
     cell_node_[c] = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back({});
-    level.push_back({cell_node_[c], cell_box(c), {here.begin(), here.end()}});
+    level.push_back({cell_node_[c], cell_box(c), true, {here.begin(), here.end()}});
   }
   for (int depth = 0; !level.empty(); ++depth) {
     std::vector<Split> splits(level.size());
@@ -145,6 +145,7 @@ void Buckets::settle(Open& open, Split& split, std::vector<Open>& next) {
   if (!split.useful) {
     nodes_[open.node] = {0, 0, 0, static_cast<std::uint32_t>(size())};
     part_boxes_.push_back(open.box);
+    part_is_box_.push_back(open.is_box ? 1 : 0);
     parts_.items.insert(parts_.items.end(), open.members.begin(), open.members.end());
     parts_.begin.push_back(static_cast<std::uint32_t>(parts_.items.size()));
     return;
@@ -152,8 +153,9 @@ void Buckets::settle(Open& open, Split& split, std::vector<Open>& next) {
   const auto child = static_cast<std::uint32_t>(nodes_.size());
   nodes_[open.node] = {split.normal.x, split.normal.y, split.at, child};
   nodes_.resize(nodes_.size() + 2);
-  next.push_back({child, split.low_box, std::move(split.low)});
-  next.push_back({child + 1, split.high_box, std::move(split.high)});
+  const bool is_box = open.is_box && (split.normal.x == 0 || split.normal.y == 0);
+  next.push_back({child, split.low_box, is_box, std::move(split.low)});
+  next.push_back({child + 1, split.high_box, is_box, std::move(split.high)});
 }
 
 }  // namespace plumbline::bucket

@@ -40,6 +40,10 @@ class Buckets {
     return cell_node_[cell] == kNone ? cell : part_at(cell_node_[cell], x, y);
   }
   double margin() const { return margin_; }
+  /// Whether the bucket's box is all of it, and not just around it.
+  bool is_box(std::size_t bucket) const {
+    return bucket < cell_node_.size() || part_is_box_[bucket - cell_node_.size()] != 0;
+  }
 
   /// Calls visit(bucket, bottom) for the buckets that the vertical line through (x, y) meets, from
   /// y downwards, until it returns false; on the line, nothing of the bucket is above its
@@ -71,6 +75,7 @@ class Buckets {
   struct Open {
     std::uint32_t node;
     Box box;
+    bool is_box;
     std::vector<LineId> members;
   };
 
@@ -112,6 +117,37 @@ class Buckets {
   std::vector<Node> nodes_;
   Grouped<LineId> parts_;
   std::vector<Box> part_boxes_;
+  std::vector<std::uint8_t> part_is_box_;
+};
+
+/// Tells whether points are in a bucket; the same as `bucket_at`, but faster away from its border.
+class Membership {
+ public:
+  Membership(const Buckets& buckets, std::size_t bucket)
+      : buckets_(buckets),
+        bucket_(bucket),
+        box_(buckets.box(bucket)),
+        margin_(buckets.margin()),
+        is_box_(buckets.is_box(bucket)) {}
+
+  bool contains(const PointD& p) const {
+    if (p.x < box_.x0 - margin_ || box_.x1 + margin_ < p.x || p.y < box_.y0 - margin_ ||
+        box_.y1 + margin_ < p.y) {
+      return false;
+    }
+    if (is_box_ && box_.x0 + margin_ < p.x && p.x < box_.x1 - margin_ && box_.y0 + margin_ < p.y &&
+        p.y < box_.y1 - margin_) {
+      return true;
+    }
+    return buckets_.bucket_at(p.x, p.y) == bucket_;
+  }
+
+ private:
+  const Buckets& buckets_;
+  std::size_t bucket_;
+  Box box_;
+  double margin_;
+  bool is_box_;
 };
 
 }  // namespace plumbline::bucket

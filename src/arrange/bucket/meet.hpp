@@ -14,10 +14,10 @@ namespace plumbline::bucket {
 template <class Kernel>
 void join_ends(const Scene<Kernel>& scene, std::size_t bucket, std::vector<EndId>& ends) {
   ends.clear();
+  const Membership here(scene.buckets, bucket);
   for (const LineId s : scene.buckets.lines(bucket)) {
     for (const EndId e : {first_end(s), last_end(s)}) {
-      const PointD p = scene.place(e);
-      if (scene.buckets.bucket_at(p.x, p.y) == bucket) ends.push_back(e);
+      if (here.contains(scene.place(e))) ends.push_back(e);
     }
   }
   if (ends.size() < 2) return;

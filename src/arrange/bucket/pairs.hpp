@@ -96,7 +96,7 @@ template <class Kernel>
 class Pairs {
  public:
   Pairs(const Scene<Kernel>& scene, std::size_t bucket, Meetings& found)
-      : scene_(scene), kernel_(scene.kernel), bucket_(bucket), found_(found) {}
+      : scene_(scene), kernel_(scene.kernel), here_(scene.buckets, bucket), found_(found) {}
 
   void test(LineId s, LineId o) {
     if (o < s) std::swap(s, o);
@@ -110,7 +110,7 @@ class Pairs {
   void record(LineId s, LineId o, const Relation& r) {
     if (o < s) std::swap(s, o);
     if (r.cross()) {
-      if (is_here(scene_.at(s, r.at_s))) add_crossing(s, o, r);
+      if (here_.contains(scene_.at(s, r.at_s))) add_crossing(s, o, r);
       return;
     }
     const bool s_is_point = kernel_.is_point(s), o_is_point = kernel_.is_point(o);
@@ -137,18 +137,16 @@ class Pairs {
   }
 
  private:
-  bool is_here(const PointD& p) const { return scene_.buckets.bucket_at(p.x, p.y) == bucket_; }
-
   /// An end on the line through s: a touch if strictly inside s, recorded in the end's bucket.
   void touch(LineId s, EndId end) {
     if (kernel_.compare(first_end(s), end) >= 0 || kernel_.compare(end, last_end(s)) >= 0) return;
     const PointD p = scene_.place(end);
-    if (is_here(p)) found_.touches.push_back({s, end, scene_.along(s, p)});
+    if (here_.contains(p)) found_.touches.push_back({s, end, scene_.along(s, p)});
   }
 
   const Scene<Kernel>& scene_;
   const Kernel& kernel_;
-  std::size_t bucket_;
+  Membership here_;
   Meetings& found_;
 };
 
