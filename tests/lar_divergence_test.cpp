@@ -8,6 +8,7 @@
 
 #include "lar/published/stages.hpp"
 #include "lar/stages.hpp"
+#include "plumbline/arrange.hpp"
 #include "plumbline/published.hpp"
 #include "plumbline/read.hpp"
 #include "support/recorded.hpp"
@@ -176,6 +177,23 @@ TEST_CASE("Q3: a corner drifts off the grid by the rounded parameter and the mea
   const FloatComplex repaired =
       lar::arrange(segments(rectangle(0, 0, 7, 11) + "0 1 7 1"), {1e-3}).complex;
   CHECK(std::count(repaired.vertices.begin(), repaired.vertices.end(), PointD{0, 1}) == 1);
+}
+
+TEST_CASE("Q8: of 5000 random segments the face walk reports a part only") {
+  const std::vector<lar::SegmentD> lines = published::random_lines(5000, 0.1, 1);
+  const published::Trace trace = published::run(lines);
+  const auto decimal = [](double value) { return parse_decimal(kVcode.text(value)); };
+  SegmentSet set;  // the decimals: their doubles miss some T junctions
+  const SourceId source = set.add_source({});
+  for (const auto& [a, b] : lines) {
+    set.add({{decimal(a.x), decimal(a.y)}, {decimal(b.x), decimal(b.y)}}, source);
+  }
+  const ExactComplex exact_complex = arrange(set);
+  CHECK(2 * trace.largest->model.faces.size() < exact_complex.face_count());
+  const FloatComplex repaired = lar::arrange(set, {1e-12}).complex;
+  CHECK(repaired.vertices.size() == exact_complex.vertices.size());
+  CHECK(repaired.edge_count() == exact_complex.edge_count());
+  CHECK(repaired.face_count() == exact_complex.face_count());
 }
 
 TEST_CASE("Q9: after merging, faces depend on the order of sets; 162 of 188 in Python 2.7's") {

@@ -122,6 +122,17 @@ Lists<HalfedgeId> boundary_cycles(const Incidences& complex, std::span<const Fac
 std::vector<std::vector<PointD>> boundary_polylines(const FloatComplex& complex,
                                                     std::span<const FaceId> chain);
 
+/// Bridge edges that join the holes of a bounded face to its outer boundary: one per hole, from its
+/// least vertex to the nearest lesser one that it sees, so that no bridge crosses an edge or
+/// another bridge. **Rounded** predicates. Cost: O(holes x vertices x edges of the face) at worst.
+/// Section 2.7 (scan). Throws here and below: Error BadInput for another face, or for a complex so
+/// invalid that a hole sees no lesser vertex.
+std::vector<std::array<VertexId, 2>> bridge_edges(const FloatComplex& complex, FaceId face);
+
+/// The boundary of a bounded face as one closed polyline, every bridge walked twice; the face on
+/// its left. Section 2.7.
+std::vector<PointD> single_polyline(const FloatComplex& complex, FaceId face);
+
 /// The drawing mapped onto the unit square: the longer side of its box becomes 1, the left edge 0,
 /// the top 1; y is turned upwards. **Exact**. Degenerate: a drawing without extent is only moved.
 /// Section 4 (SVG input normalization).

@@ -126,6 +126,7 @@ struct Trace {
   std::optional<LatticeArray> lattice;
   std::optional<CycleCells> cells;
   std::optional<Model> two_complex;  ///< of the cells: faces are the vertices of their cycles
+  std::optional<std::vector<std::vector<VertexPair>>> bridge_edges;  ///< per cell
   std::optional<SimpleCycles> simple_cycles;  ///< only where not all components are simple
   std::optional<LatticeArray> faces_lattice;  ///< of the faces of the result
   std::vector<Failure> failures;

@@ -103,6 +103,7 @@ void write_cycles(TraceWriter& json, const Trace& trace) {
     write_model(json, *trace.two_complex);
     json.EndObject();
   }
+  if (trace.bridge_edges) json.member("bridgeEdges", *trace.bridge_edges);
   if (trace.simple_cycles) {
     json.Key("simpleCycles");
     json.StartObject();

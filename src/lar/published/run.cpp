@@ -98,6 +98,7 @@ void trace_containment(Trace& trace, const Vcode& vcode) {
   if (are_simple) {
     trace.cells = cells_from_cycles(*trace.lattice);
     trace.two_complex = two_complex(trace.lar, trace.components, *trace.cells);
+    trace.bridge_edges = bridge_edges(trace.lar.vertices, trace.components, *trace.cells);
   }
   if (!are_simple) trace_simple_cycles(trace, vcode);
   if (!trace.lar_from_lines || trace.lar_from_lines->faces.size() < 2) return;

@@ -132,6 +132,13 @@ std::vector<VertexId> cycle_vertices(std::span<const VertexPair> edges);
 Model two_complex(const Model& lar, std::span<const std::vector<VertexPair>> cycles,
                   const CycleCells& cells);
 
+/// Per cell its bridge edges (scan, connectTheDots): where vertices in lexicographic order change
+/// cycle, the nearest vertices of both cycles, unless both were met before; the last bridge is
+/// dropped. They may cross edges. Section 2.7.
+std::vector<std::vector<VertexPair>> bridge_edges(
+    std::span<const PointD> vertices, std::span<const std::vector<VertexPair>> components,
+    const CycleCells& cells);
+
 /// The edges that bound a chain of faces, modulo 2: an edge is incident to the faces that have both
 /// its vertices. Ascending. Section 2.11 (chain2BoundaryChain).
 std::vector<std::size_t> boundary_chain(const Model& model, std::span<const std::size_t> faces);
