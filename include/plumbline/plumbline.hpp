@@ -13,4 +13,5 @@
 #include "plumbline/read.hpp"
 #include "plumbline/report.hpp"
 #include "plumbline/structure.hpp"
+#include "plumbline/triangulate.hpp"
 #include "plumbline/write.hpp"
