@@ -28,7 +28,8 @@ using Errors = std::map<std::string, std::string>;
 Errors errors_of(const rapidjson::Document& trace) {
   Errors errors;
   for (const auto& member : trace["errors"].GetObject()) {
-    errors[member.name.GetString()] = member.value["error"].GetString();
+    const std::string error = member.value["error"].GetString();
+    if (error != "Limit") errors[member.name.GetString()] = error;  // the original has none
   }
   for (const auto& member : trace["outputs"].GetObject()) {  // what the original caught and printed
     if (!member.value.IsObject() || !member.value.HasMember("aborted")) continue;

@@ -25,6 +25,9 @@ inline constexpr int kMaxDecimals = 12;
 /// The original's radius of pruning, in drawing units.
 inline constexpr double kRadius = 0.001;
 
+/// Most cycles whose containment `run` compares, each with each.
+inline constexpr std::size_t kMaxLattice = 1000;
+
 struct Options {
   int decimals = kDecimals;
   double radius = kRadius;
@@ -69,7 +72,8 @@ struct Faces {
 /// Why a stage has no output.
 struct Failure {
   std::string stage;     ///< the key of the output that is missing
-  std::string error;     ///< what the original raised, or "NoTermination" where it ran for ever
+  std::string error;     ///< what the original raised; NoTermination where it ran for ever, Limit
+                         ///< where we stop
   std::string message;   ///< what happened
   std::string function;  ///< the original's function that failed
 
@@ -123,7 +127,7 @@ struct Trace {
   std::optional<AllComponents> all_components;
   std::vector<Outcome<std::vector<Polyline>>> boundary_polylines;  ///< per component
   std::vector<Outcome<std::vector<SignedCycle>>> boundary_cycles;  ///< per component
-  std::optional<LatticeArray> lattice;
+  std::optional<LatticeArray> lattice;  ///< this and the other lattice: up to kMaxLattice cycles
   std::optional<CycleCells> cells;
   std::optional<Model> two_complex;  ///< of the cells: faces are the vertices of their cycles
   std::optional<std::vector<std::vector<VertexPair>>> bridge_edges;  ///< per cell

@@ -90,8 +90,17 @@ void trace_simple_cycles(Trace& trace, const Vcode& vcode) {
   trace.simple_cycles = std::move(simple);
 }
 
-void trace_containment(Trace& trace, const Vcode& vcode) {
+/// Whether there are few enough cycles to compare each with each; a failure where not.
+bool is_within_limit(Trace& trace, const char* stage, std::size_t cycles) {
+  if (cycles > kMaxLattice) {
+    trace.failures.push_back({stage, "Limit", "more than 1000 cycles", "run"});
+  }
+  return cycles <= kMaxLattice;
+}
+
+void trace_components_lattice(Trace& trace, const Vcode& vcode) {
   if (trace.components.empty()) return;
+  if (!is_within_limit(trace, "latticeArray", trace.components.size())) return;
   const bool are_simple = attempt(trace, "latticeArray", [&] {
     trace.lattice = lattice_array(trace.lar.vertices, trace.components, vcode);
   });
@@ -101,7 +110,12 @@ void trace_containment(Trace& trace, const Vcode& vcode) {
     trace.bridge_edges = bridge_edges(trace.lar.vertices, trace.components, *trace.cells);
   }
   if (!are_simple) trace_simple_cycles(trace, vcode);
-  if (!trace.lar_from_lines || trace.lar_from_lines->faces.size() < 2) return;
+}
+
+void trace_faces_lattice(Trace& trace, const Vcode& vcode) {
+  if (!trace.lar_from_lines) return;
+  const std::size_t n = trace.lar_from_lines->faces.size();
+  if (n < 2 || !is_within_limit(trace, "facesLattice", n)) return;
   const Model& result = *trace.lar_from_lines;
   std::vector<std::vector<VertexPair>> faces;
   for (std::size_t f = 0; f < result.faces.size(); ++f) {
@@ -165,7 +179,8 @@ Trace run(std::vector<SegmentD> lines, const Options& options) {
   if (!has_components) return trace;
   trace_faces(trace, vcode);
   trace_boundaries(trace, vcode);
-  trace_containment(trace, vcode);
+  trace_components_lattice(trace, vcode);
+  trace_faces_lattice(trace, vcode);
   return trace;
 }
 

@@ -1,0 +1,77 @@
+// CPU times of both float pipelines beside the exact engines, in one run, as a Markdown table.
+// Usage: plumbline_lar_times [WORKLOAD...]; without any, those of the recorded table.
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <functional>
+#include <iostream>
+
+#include "plumbline/arrange.hpp"
+#include "plumbline/lar.hpp"
+#include "plumbline/published.hpp"
+#include "workloads.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+const std::vector<std::string> kRecorded{"R5_5e3", "R1_1e5", "R1_1e6", "D_1e4",
+                                         "G_300",  "Gr_300", "S_1e4",  "S1_1e4"};
+/// CGAL's sweep takes minutes beyond.
+constexpr std::size_t kMostForCgal = 100'000;
+
+std::string timed(const std::function<std::string()>& job) {
+  const std::clock_t start = std::clock();
+  std::string cells;
+  try {
+    cells = job();
+  } catch (const Error& error) {
+    return error.message();
+  }
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return fmt::format("{:.2f} s, {}", seconds, cells);
+}
+
+std::string cells(std::size_t vertices, std::size_t edges, std::size_t faces) {
+  return fmt::format("{} {} {}", vertices, edges, faces);
+}
+
+template <class P>
+std::string cells(const CellComplex<P>& complex) {
+  return cells(complex.vertices.size(), complex.edge_count(), complex.face_count());
+}
+
+std::string published_cells(const SegmentSet& input) {
+  namespace published = lar::published;
+  const published::Trace trace = published::run(published::lines(input));
+  const std::size_t faces = trace.lar_from_lines ? trace.lar_from_lines->faces.size() : 0;
+  return cells(trace.lar.vertices.size(), trace.lar.edges.size(), faces + 1);
+}
+
+void print_row(const std::string& name) {
+  const SegmentSet input = workloads::make(name);
+  const std::size_t n = input.segments.size();
+  const ArrangeOptions one_thread{1, {}};
+  fmt::print("| {} | {} | {} | {} | {} | {} |\n", name, n,
+             timed([&] { return published_cells(input); }),
+             timed([&] { return cells(lar::arrange(input, {0.0}).complex); }),
+             timed([&] { return cells(arrange(input, Engine::Bucket, one_thread)); }),
+             n > kMostForCgal ? "" : timed([&] { return cells(arrange(input, Engine::Cgal)); }));
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const std::vector<std::string> names =
+      argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : kRecorded;
+  fmt::print(
+      "| workload | segments | LAR as published | LAR repaired | bucket, 1 thread | CGAL |\n");
+  fmt::print("| --- | --- | --- | --- | --- | --- |\n");
+  for (const std::string& name : names) print_row(name);
+  return 0;
+} catch (const Error& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
+}
