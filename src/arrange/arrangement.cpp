@@ -13,20 +13,22 @@
 
 namespace plumbline {
 
-struct Arrangement::Implementation : bucket::Result {};
+struct Arrangement::Implementation : bucket::Result {
+  std::size_t threads = 1;
+};
 
 namespace {
 
-bucket::Result arrange_on(std::size_t threads, const SegmentSet& input, bucket::Job& job) {
-  if (threads == 1) return bucket::arrange(input, job);
+/// Calls work(), whose parallel loops then use that many threads.
+template <class Work>
+auto on_threads(std::size_t threads, Work work) {
+  if (threads == 1) return work();
   // Without this, TBB warns and starts no more threads than there are cores.
   std::optional<tbb::global_control> more;
   if (threads > static_cast<std::size_t>(tbb::info::default_concurrency())) {
     more.emplace(tbb::global_control::max_allowed_parallelism, threads);
   }
-  return tbb::task_arena(static_cast<int>(threads)).execute([&] {
-    return bucket::arrange(input, job);
-  });
+  return tbb::task_arena(static_cast<int>(threads)).execute(work);
 }
 
 }  // namespace
@@ -39,7 +41,9 @@ Arrangement::Arrangement(const SegmentSet& input, const ArrangeOptions& options)
   const std::size_t threads =
       std::min(options.threads == 0 ? cores : options.threads, kMostThreads);
   bucket::Job job(threads, options.progress);
-  static_cast<bucket::Result&>(*implementation_) = arrange_on(threads, input, job);
+  static_cast<bucket::Result&>(*implementation_) =
+      on_threads(threads, [&] { return bucket::arrange(input, job); });
+  implementation_->threads = threads;
 }
 
 Arrangement::Arrangement(Arrangement&&) noexcept = default;
@@ -93,8 +97,11 @@ PointD Arrangement::nearest(VertexId v) const { return plumbline::nearest(point(
 
 ExactComplex Arrangement::complex() const {
   ExactComplex complex;
-  complex.vertices.reserve(vertex_count());
-  for (std::size_t v = 0; v < vertex_count(); ++v) complex.vertices.push_back(point(VertexId(v)));
+  complex.vertices.resize(vertex_count());
+  bucket::Job job(implementation_->threads, {});
+  on_threads(implementation_->threads, [&] {
+    job.for_each(vertex_count(), [&](std::size_t v) { complex.vertices[v] = point(VertexId(v)); });
+  });
   complex.edges.reserve(edge_count());
   for (std::size_t e = 0; e < edge_count(); ++e) {
     complex.edges.push_back(edge(EdgeId(e)));

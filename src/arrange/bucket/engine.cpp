@@ -56,7 +56,7 @@ Result arrange_lines(Kernel kernel, Job& job) {
   found = {};
   result.chains = make_chains(scene, result.crossings, hits, job);
   result.provenance.place(result.chains.vertices);
-  UnionFind connected = connect_lines(result.crossings, same_end, hits, job);
+  const UnionFind connected = connect_lines(result.crossings, same_end, hits, job);
   hits = {};
 
   job.begin_step(0.2);
@@ -64,7 +64,7 @@ Result arrange_lines(Kernel kernel, Job& job) {
   result.cycles = walk_cycles(halfedges.next, job);
   job.begin_step(0.15);
   std::vector<Component> components =
-      find_components(kernel, std::move(connected), result.chains, halfedges, result.cycles);
+      find_components(kernel, connected, result.chains, halfedges, result.cycles);
   const Rays<Kernel> rays(kernel, approx, buckets, result.chains, result.crossings);
   job.for_blocks(components.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) components[c].below = rays.below(components[c].least);

@@ -7,6 +7,10 @@
 
 namespace plumbline::bucket {
 
+void throw_too_many() {
+  throw Error(ErrorCode::Limit, "an arrangement has less than 2^31 ends and crossings");
+}
+
 Job::Job(std::size_t threads, std::function<bool(double)> progress)
     : threads_(threads), progress_(std::move(progress)), caller_(std::this_thread::get_id()) {}
 

@@ -12,6 +12,11 @@
 
 namespace plumbline::bucket {
 
+/// Lists longer than this are refused: halfedges, twice as many as edges, are numbered in 32 bits.
+inline constexpr std::uint64_t kMostItems = (std::uint64_t{1} << 31U) - 1;
+/// Throws: Error Limit.
+[[noreturn]] void throw_too_many();
+
 /// Runs the steps of one arrangement: on how many threads, who is told, and whether to stop. Work
 /// is cut into blocks of a size that does not depend on the number of threads.
 class Job {
@@ -76,15 +81,17 @@ class Job {
 };
 
 /// Turns counts into begins: values[i] becomes the sum of those before i; the total is appended.
+/// Throws: Error Limit where the total does not fit.
 template <class Value>
 void accumulate(std::vector<Value>& values) {
-  Value sum = 0;
+  std::uint64_t sum = 0;
   for (Value& v : values) {
     const Value count = v;
-    v = sum;
+    v = static_cast<Value>(sum);
     sum += count;
   }
-  values.push_back(sum);
+  if (sum > kMostItems && sizeof(Value) < sizeof sum) throw_too_many();
+  values.push_back(static_cast<Value>(sum));
 }
 
 }  // namespace plumbline::bucket

@@ -42,8 +42,9 @@ inline UnionFind connect_lines(const std::vector<Crossing>& crossings,
 
 /// The components without `below`, in the order of their first lines.
 template <class Kernel>
-std::vector<Component> find_components(const Kernel& kernel, UnionFind sets, const Chains& chains,
-                                       const Halfedges& halfedges, const Cycles& cycles) {
+std::vector<Component> find_components(const Kernel& kernel, const UnionFind& sets,
+                                       const Chains& chains, const Halfedges& halfedges,
+                                       const Cycles& cycles) {
   // The least vertex of a component is the first end of a line.
   std::vector<Component> components;
   std::vector<std::uint32_t> number(kernel.size());
