@@ -8,7 +8,7 @@
 namespace plumbline::bench {
 namespace {
 
-constexpr unsigned kHostileLimit = 60, kQuickLimit = 2;  // seconds
+constexpr unsigned kHostileLimit = 10, kQuickLimit = 2;  // seconds
 
 struct NamedAbsence {
   const char* workload;

@@ -29,7 +29,7 @@ struct Case {
   std::vector<Absent> absent;              ///< of those that tables have a column for
   std::optional<Cells> cells;              ///< the exact ones, where they are known
   std::optional<std::uint64_t> crossings;  ///< pairs that cross, where they are known
-  unsigned limit_seconds = 300;            ///< for one run
+  unsigned limit_seconds = 180;            ///< for one run
 };
 
 /// All cases; the small ones if quick; those that need drawings only with a directory.
