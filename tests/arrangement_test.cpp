@@ -111,7 +111,8 @@ TEST_CASE("bundles of parallel lines in every direction, crossed by a few") {
     const SourceId source = input.add_source({});
     for (int i = 0; i < 120; ++i) {
       // Along (dx, dy), shifted across by a third of a unit each.
-      const Point a{Rational(-dy * i, 120), Rational(dx * i, 120)};
+      const Rational shift = Rational(i) / 120;
+      const Point a{-dy * shift, dx * shift};
       input.add({a, {a.x + dx, a.y + dy}}, source);
       if (i % 30 == 0) input.add({{a.x + dx / 2, -50}, {a.x + 3, 50}}, source);
     }

@@ -95,27 +95,14 @@ Buckets::Buckets(std::span<const Approx> lines, double margin, Job& job) : margi
 }
 
 void Buckets::fill(std::span<const Approx> lines, Job& job) {
-  constexpr std::size_t kBlock = 1024;
-  const std::size_t count = columns_ * rows_;
-  std::vector<std::uint32_t>& begin = members_.begin;
-  begin.assign(count, 0);
-  job.for_each(lines.size(), [&](std::size_t s) {
-    for_cells(lines[s], [&](std::size_t c) { job.increment(begin[c]); });
-  });
-  accumulate(begin);
-  members_.items.resize(begin[count]);
-  std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
-  job.for_each(lines.size(), [&](std::size_t s) {
-    for_cells(lines[s], [&](std::size_t c) {
-      members_.items[job.increment(end[c])] = static_cast<LineId>(s);
-    });
-  });
-  if (!job.is_parallel()) return;
-  job.for_blocks(count, kBlock, [&](std::size_t from, std::size_t to) {
-    for (std::size_t c = from; c < to; ++c) {
-      std::sort(members_.items.begin() + begin[c], members_.items.begin() + begin[c + 1]);
-    }
-  });
+  members_ = group<LineId>(
+      columns_ * rows_, lines.size(),
+      [&](std::size_t begin, std::size_t end, const auto& visit) {
+        for (std::size_t s = begin; s < end; ++s) {
+          for_cells(lines[s], [&](std::size_t c) { visit(c, static_cast<LineId>(s)); });
+        }
+      },
+      job);
 }
 
 /// Level by level, so that the nodes of a level are split in parallel and numbered in order.

@@ -96,21 +96,16 @@ inline Grouped<Hit> collect_hits(std::size_t line_count, const std::vector<Meeti
     first.push_back(static_cast<MeetingId>(block.crossings.size()));
   accumulate(first);
   for (MeetingId& m : first) m += static_cast<MeetingId>(2 * line_count);
-  Grouped<Hit> hits;
-  hits.begin.assign(line_count, 0);
-  job.for_blocks(found.size(), 1, [&](std::size_t b, std::size_t) {
-    for_hits(found[b], first[b],
-             [&](LineId s, double, MeetingId) { job.increment(hits.begin[s]); });
-  });
-  accumulate(hits.begin);
-  hits.items.resize(hits.begin.back());
-  std::vector<std::uint32_t> next(hits.begin.begin(), hits.begin.end() - 1);
-  job.for_blocks(found.size(), 1, [&](std::size_t b, std::size_t) {
-    for_hits(found[b], first[b], [&](LineId s, double at, MeetingId m) {
-      hits.items[job.increment(next[s])] = {at, m};
-    });
-  });
-  return hits;
+  return group<Hit>(
+      line_count, found.size(),
+      [&](std::size_t begin, std::size_t end, const auto& visit) {
+        for (std::size_t b = begin; b < end; ++b) {
+          for_hits(found[b], first[b], [&](LineId s, double at, MeetingId m) {
+            visit(s, Hit{at, m});
+          });
+        }
+      },
+      job);
 }
 
 /// Sorts the hits of a line and unites those at the same point.
@@ -172,23 +167,33 @@ Chains make_chains(const Scene<Kernel>& scene, const std::vector<Crossing>& cros
   const auto hits_of = [&](std::size_t s) {
     return std::span<Hit>(hits.items).subspan(hits.begin[s], hits.begin[s + 1] - hits.begin[s]);
   };
-  job.for_each(line_count, [&](std::size_t s) {
-    sort_hits(static_cast<LineId>(s), hits_of(s), scene.parameter_error(static_cast<LineId>(s)),
-              along, same);
-  });
+  job.for_each(
+      line_count,
+      [&](std::size_t s) {
+        sort_hits(static_cast<LineId>(s), hits_of(s), scene.parameter_error(static_cast<LineId>(s)),
+                  along, same);
+      },
+      kLinesPerTask);
   Chains chains;
   const std::vector<std::uint32_t> number = number_vertices(same, chains);
   std::vector<std::uint32_t>& begin = chains.vertices.begin;
   begin.assign(line_count, 0);
-  job.for_each(line_count, [&](std::size_t s) {
-    walk_line(static_cast<LineId>(s), hits_of(s), number, [&](std::uint32_t) { ++begin[s]; });
-  });
+  job.for_each(
+      line_count,
+      [&](std::size_t s) {
+        walk_line(static_cast<LineId>(s), hits_of(s), number, [&](std::uint32_t) { ++begin[s]; });
+      },
+      kLinesPerTask);
   accumulate(begin);
   chains.vertices.items.resize(begin.back());
-  job.for_each(line_count, [&](std::size_t s) {
-    std::uint32_t* next = chains.vertices.items.data() + begin[s];
-    walk_line(static_cast<LineId>(s), hits_of(s), number, [&](std::uint32_t v) { *next++ = v; });
-  });
+  job.for_each(
+      line_count,
+      [&](std::size_t s) {
+        std::uint32_t* next = chains.vertices.items.data() + begin[s];
+        walk_line(static_cast<LineId>(s), hits_of(s), number,
+                  [&](std::uint32_t v) { *next++ = v; });
+      },
+      kLinesPerTask);
   return chains;
 }
 

@@ -61,7 +61,7 @@ Result arrange_lines(Kernel kernel, Job& job) {
 
   job.begin_step(0.2);
   Halfedges halfedges = make_halfedges(kernel, result.chains, result.crossings, job);
-  result.cycles = walk_cycles(halfedges.next, job);
+  result.cycles = walk_cycles(halfedges.next);
   job.begin_step(0.15);
   std::vector<Component> components =
       find_components(kernel, connected, result.chains, halfedges, result.cycles);

@@ -44,34 +44,40 @@ inline void collect_around(const Chains& chains, const std::vector<Crossing>& cr
       count += v;
     }
   };
-  job.for_each(line_count, [&](std::size_t s) {
-    const auto chain = chains[static_cast<LineId>(s)];
-    if (chain.size() < 2) return;
-    add(begin[chain.front()], 1);
-    add(begin[chain.back()], 1);
-    for (const std::uint32_t v : chain.subspan(1, chain.size() - 2)) add(begin[v], 2);
-  });
+  job.for_each(
+      line_count,
+      [&](std::size_t s) {
+        const auto chain = chains[static_cast<LineId>(s)];
+        if (chain.size() < 2) return;
+        add(begin[chain.front()], 1);
+        add(begin[chain.back()], 1);
+        for (const std::uint32_t v : chain.subspan(1, chain.size() - 2)) add(begin[v], 2);
+      },
+      kLinesPerTask);
   accumulate(begin);
   h.around.items.resize(begin.back());
   std::vector<std::uint32_t> filled(chains.meeting.size(), 0);
-  job.for_each(line_count, [&](std::size_t line) {
-    const auto s = static_cast<LineId>(line);
-    const auto chain = chains[s];
-    const std::size_t first = first_edge(chains, s);
-    for (std::size_t i = 0; i < chain.size() && chain.size() > 1; ++i) {
-      const std::uint32_t v = chain[i];
-      HalfedgeId* const slots = h.around.items.data() + begin[v];
-      if (chains.meeting[v] >= first_crossing && begin[v + 1] - begin[v] == 4) {
-        const std::size_t role = crossings[chains.meeting[v] - first_crossing].s == s ? 0 : 1;
-        slots[role] = halfedge(EdgeId(first + i), false);
-        slots[role + 2] = halfedge(EdgeId(first + i - 1), true);
-        continue;
-      }
-      if (i + 1 < chain.size())
-        slots[job.increment(filled[v])] = halfedge(EdgeId(first + i), false);
-      if (i > 0) slots[job.increment(filled[v])] = halfedge(EdgeId(first + i - 1), true);
-    }
-  });
+  job.for_each(
+      line_count,
+      [&](std::size_t line) {
+        const auto s = static_cast<LineId>(line);
+        const auto chain = chains[s];
+        const std::size_t first = first_edge(chains, s);
+        for (std::size_t i = 0; i < chain.size() && chain.size() > 1; ++i) {
+          const std::uint32_t v = chain[i];
+          HalfedgeId* const slots = h.around.items.data() + begin[v];
+          if (chains.meeting[v] >= first_crossing && begin[v + 1] - begin[v] == 4) {
+            const std::size_t role = crossings[chains.meeting[v] - first_crossing].s == s ? 0 : 1;
+            slots[role] = halfedge(EdgeId(first + i), false);
+            slots[role + 2] = halfedge(EdgeId(first + i - 1), true);
+            continue;
+          }
+          if (i + 1 < chain.size())
+            slots[job.increment(filled[v])] = halfedge(EdgeId(first + i), false);
+          if (i > 0) slots[job.increment(filled[v])] = halfedge(EdgeId(first + i - 1), true);
+        }
+      },
+      kLinesPerTask);
 }
 
 template <class Kernel>
@@ -81,10 +87,13 @@ Halfedges make_halfedges(const Kernel& kernel, const Chains& chains,
   const MeetingId first_crossing = static_cast<MeetingId>(2 * line_count);
   Halfedges h;
   h.edge_line.resize(chains.vertices.items.size() - line_count);
-  job.for_each(line_count, [&](std::size_t s) {
-    const auto line = static_cast<LineId>(s);
-    std::fill_n(h.edge_line.begin() + first_edge(chains, line), chains[line].size() - 1, line);
-  });
+  job.for_each(
+      line_count,
+      [&](std::size_t s) {
+        const auto line = static_cast<LineId>(s);
+        std::fill_n(h.edge_line.begin() + first_edge(chains, line), chains[line].size() - 1, line);
+      },
+      kLinesPerTask);
   collect_around(chains, crossings, h, job);
   h.next.resize(2 * h.edge_line.size());
   job.for_each(chains.meeting.size(), [&](std::size_t v) {

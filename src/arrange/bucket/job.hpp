@@ -8,7 +8,10 @@
 #include <cstdint>
 #include <functional>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include "arrange/bucket/types.hpp"
 
 namespace plumbline::bucket {
 
@@ -17,6 +20,9 @@ inline constexpr std::uint64_t kMostItems = (std::uint64_t{1} << 31U) - 1;
 /// Throws: Error Limit.
 [[noreturn]] void throw_too_many();
 
+/// Lines that are worth a task: some have thousands of meetings.
+inline constexpr std::size_t kLinesPerTask = 64;
+
 /// Runs the steps of one arrangement: on how many threads, who is told, and whether to stop. Work
 /// is cut into blocks of a size that does not depend on the number of threads.
 class Job {
@@ -24,6 +30,7 @@ class Job {
   /// `threads`: at least 1. `progress`: may be empty; returning false cancels.
   Job(std::size_t threads, std::function<bool(double)> progress);
 
+  std::size_t threads() const { return threads_; }
   bool is_parallel() const { return threads_ > 1; }
 
   /// The next step takes about this share of the whole job. Throws: Error Cancelled.
@@ -44,11 +51,10 @@ class Job {
       for (std::size_t block = 0; block < blocks; ++block) one(block);
     }
   }
-  /// Calls work(i) for each index below `count`.
+  /// Calls work(i) for each index below `count`; `block` of them are worth a task.
   template <class Work>
-  void for_each(std::size_t count, Work work) {
-    constexpr std::size_t kBlock = 4096;
-    for_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+  void for_each(std::size_t count, Work work, std::size_t block = 4096) {
+    for_blocks(count, block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) work(i);
     });
   }
@@ -92,6 +98,43 @@ void accumulate(std::vector<Value>& values) {
   }
   if (sum > kMostItems && sizeof(Value) < sizeof sum) throw_too_many();
   values.push_back(static_cast<Value>(sum));
+}
+
+/// Sorts items by key: list k has those of key k, in their order. `for_items(begin, end, visit)`
+/// calls visit(key, item) for the items of a range of blocks, the same each time.
+template <class Item, class ForItems>
+Grouped<Item> group(std::size_t key_count, std::size_t block_count, const ForItems& for_items,
+                    Job& job) {
+  // A range for each thread, with counters of its own.
+  const std::size_t ranges = std::max<std::size_t>(1, std::min(job.threads(), block_count));
+  const auto first = [&](std::size_t range) { return range * block_count / ranges; };
+  std::vector<std::vector<std::uint32_t>> next(ranges);
+  job.for_each(
+      ranges,
+      [&](std::size_t r) {
+        next[r].assign(key_count, 0);
+        for_items(first(r), first(r + 1), [&](std::size_t key, const Item&) { ++next[r][key]; });
+      },
+      1);
+  Grouped<Item> result;
+  result.begin.assign(key_count, 0);
+  for (const auto& counts : next) {
+    for (std::size_t k = 0; k < key_count; ++k) result.begin[k] += counts[k];
+  }
+  accumulate(result.begin);
+  for (std::size_t k = 0; k < key_count; ++k) {
+    std::uint32_t at = result.begin[k];
+    for (auto& counts : next) at += std::exchange(counts[k], at);
+  }
+  result.items.resize(result.begin.back());
+  job.for_each(
+      ranges,
+      [&](std::size_t r) {
+        for_items(first(r), first(r + 1),
+                  [&](std::size_t key, const Item& item) { result.items[next[r][key]++] = item; });
+      },
+      1);
+  return result;
 }
 
 }  // namespace plumbline::bucket

@@ -26,17 +26,20 @@ inline UnionFind connect_lines(const std::vector<Crossing>& crossings,
                                Job& job) {
   const std::size_t line_count = hits.size();
   UnionFind sets(line_count);
-  job.for_each(line_count, [&](std::size_t s) {
-    const auto line = static_cast<LineId>(s);
-    for (const EndId e : {first_end(line), last_end(line)}) {
-      if (line_of(same_end[e]) != line) sets.unite(line, line_of(same_end[e]));
-    }
-    for (std::uint32_t i = hits.begin[s]; i < hits.begin[s + 1]; ++i) {
-      const MeetingId m = hits.items[i].meeting;
-      const LineId other = m < 2 * line_count ? line_of(m) : crossings[m - 2 * line_count].s;
-      if (other != line) sets.unite(line, other);
-    }
-  });
+  job.for_each(
+      line_count,
+      [&](std::size_t s) {
+        const auto line = static_cast<LineId>(s);
+        for (const EndId e : {first_end(line), last_end(line)}) {
+          if (line_of(same_end[e]) != line) sets.unite(line, line_of(same_end[e]));
+        }
+        for (std::uint32_t i = hits.begin[s]; i < hits.begin[s + 1]; ++i) {
+          const MeetingId m = hits.items[i].meeting;
+          const LineId other = m < 2 * line_count ? line_of(m) : crossings[m - 2 * line_count].s;
+          if (other != line) sets.unite(line, other);
+        }
+      },
+      kLinesPerTask);
   return sets;
 }
 
