@@ -7,6 +7,7 @@
 #include "arrange/bucket/buckets.hpp"
 #include "arrange/bucket/grid_kernel.hpp"
 #include "arrange/bucket/rational_kernel.hpp"
+#include "arrange/bucket/split.hpp"
 #include "plumbline/arrange.hpp"
 #include "random_segments.hpp"
 #include "support/segments.hpp"
@@ -40,8 +41,7 @@ SegmentSet pencil(int n) {
 }  // namespace
 
 TEST_CASE("both engines return the same complex on every family of random segments") {
-  const std::string family = GENERATE(
-      from_range(std::begin(random_segments::kFamilies), std::end(random_segments::kFamilies)));
+  const std::string family = GENERATE(from_range(random_segments::families()));
   for (unsigned seed = 1; seed <= 60; ++seed) {
     CAPTURE(family, seed);
     const SegmentSet input = random_segments::make(family, seed);
@@ -249,6 +249,27 @@ TEST_CASE("products of 128-bit numbers are compared exactly") {
   CHECK(compare_products(0, big, 1, -1) == 1);
 }
 
+TEST_CASE("the families of full places fill buckets with more lines than are tested pair by pair") {
+  for (const char* family : {"pencils", "near pencils", "fan", "hatch", "pencil in a bundle",
+                             "stars on a small lattice"}) {
+    int full = 0;
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+      bucket::Job job = serial();
+      const bucket::RationalKernel kernel(random_segments::make(family, seed), job);
+      std::vector<bucket::Approx> approx;
+      for (bucket::LineId s = 0; s < kernel.size(); ++s) approx.push_back(kernel.approx(s));
+      const bucket::Buckets buckets(approx, 1e-9, job);
+      bool any = false;
+      for (std::size_t b = 0; b < buckets.size(); ++b) {
+        any = any || buckets.lines(b).size() > bucket::kFullBucket;
+      }
+      full += any;
+    }
+    CAPTURE(family, full);
+    CHECK(full >= 5);
+  }
+}
+
 TEST_CASE("every point is in one bucket, and all lines near it are listed there") {
   const SegmentSet input = random_segments::make("lattice", 7);
   bucket::Job job = serial();
@@ -268,7 +289,7 @@ TEST_CASE("every point is in one bucket, and all lines near it are listed there"
 }
 
 TEST_CASE("the arrangement's numbering does not depend on the number of threads") {
-  for (const char* family : {"lattice", "collinear", "rotated", "rings"}) {
+  for (const char* family : {"lattice", "collinear", "rotated lattice", "rings"}) {
     SegmentSet input;
     const SourceId source = input.add_source({});
     for (unsigned seed = 1; seed <= 300; ++seed) {
