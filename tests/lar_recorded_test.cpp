@@ -1,6 +1,7 @@
 // The published variant against recorded outputs of the original LAR module, in its order. See
 // tests/data/README.md.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -176,6 +177,34 @@ TEST_CASE("the document's facade has three cells of 40 vertices and 40 edges, as
     CHECK(boundary({0, 1}) == 32);
     CHECK(boundary({0, 0}) == 0);
   }
+}
+
+TEST_CASE("edges follow each other around vertices as the document prints") {
+  // Section 2.5, the matrix of test07. A column's rows are the edge's ends, so that its entries say
+  // which neighbour comes after which; rows 4 and 6 are not legible.
+  const std::map<std::size_t, std::vector<std::size_t>> printed{
+      {0, {1, 6, 11}}, {1, {0, 2, 3}},   {2, {1, 11}}, {3, {1, 7, 4, 6}},
+      {5, {6, 12}},    {7, {3, 8, 9}},   {8, {7}},     {9, {7, 4}},
+      {10, {4}},       {11, {0, 12, 2}}, {12, {11, 5}}};
+  std::vector<lar::SegmentD> lines{{{0, 0}, {6, 0}},   {{0, 4}, {10, 4}}, {{0, 0}, {0, 4}},
+                                   {{3, 0}, {3, 4}},   {{6, 0}, {6, 8}},  {{3, 2}, {6, 2}},
+                                   {{10, 0}, {10, 8}}, {{0, 8}, {10, 8}}};
+  const Model lar = run(lines).lar;
+  const auto far_end = [&](EdgeId e, VertexId v) {
+    return std::size_t(lar.edges[e][0] == v ? lar.edges[e][1] : lar.edges[e][0]);
+  };
+  std::size_t compared = 0;
+  for (const NextEdge& entry : ordered_vertex_edges(edge_slope_ordering(lar))) {
+    const auto row = printed.find(entry.vertex);
+    if (row == printed.end()) continue;
+    const std::vector<std::size_t>& around = row->second;
+    const auto at = std::find(around.begin(), around.end(), far_end(entry.edge, entry.vertex));
+    REQUIRE(at != around.end());
+    const std::size_t next = at + 1 == around.end() ? around.front() : *(at + 1);
+    CHECK(far_end(entry.next, entry.vertex) == next);
+    ++compared;
+  }
+  CHECK(compared == 26);
 }
 
 TEST_CASE(

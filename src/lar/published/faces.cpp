@@ -12,14 +12,6 @@
 namespace plumbline::lar::published {
 namespace {
 
-/// The edges without zero edges, in the order of a set.
-std::vector<VertexPair> set_of_edges(std::span<const VertexPair> edges) {
-  HashTable<VertexPair> set;
-  for (const auto& [v, w] : edges)
-    if (v != w) set.insert({std::min(v, w), std::max(v, w)});
-  return set.listed();
-}
-
 /// One end of an edge.
 struct Dart {
   std::size_t edge;
@@ -32,12 +24,9 @@ class Walk {
  public:
   Walk(const std::vector<VertexPair>& edges, const Lists<EdgeId>& order)
       : edges_(edges), next_(2 * edges.size()), visited_(2 * edges.size(), false) {
-    for (std::size_t v = 0; v < order.size(); ++v) {
-      const auto around = order[v];
-      for (std::size_t i = 0; i < around.size(); ++i) {
-        const EdgeId e = around[i];
-        next_[2 * e + (edges_[e][1] == v ? 1 : 0)] = around[(i + 1) % around.size()];
-      }
+    for (const NextEdge& entry : ordered_vertex_edges(order)) {
+      const bool is_second_end = edges_[entry.edge][1] == entry.vertex;
+      next_[2 * entry.edge + (is_second_end ? 1 : 0)] = entry.next;
     }
   }
 
@@ -150,6 +139,24 @@ Lists<EdgeId> edge_slope_ordering(const Model& model) {
     result.push_back(edges);
   }
   return result;
+}
+
+std::vector<NextEdge> ordered_vertex_edges(const Lists<EdgeId>& slope_order) {
+  std::vector<NextEdge> entries;
+  for (std::size_t v = 0; v < slope_order.size(); ++v) {
+    const auto around = slope_order[v];
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      entries.push_back({VertexId(v), around[i], around[(i + 1) % around.size()]});
+    }
+  }
+  return entries;
+}
+
+std::vector<VertexPair> set_of_edges(std::span<const VertexPair> edges) {
+  HashTable<VertexPair> set;
+  for (const auto& [v, w] : edges)
+    if (v != w) set.insert({std::min(v, w), std::max(v, w)});
+  return set.listed();
 }
 
 Faces faces_from_components(const Model& model) {

@@ -84,6 +84,18 @@ Model remove_vertices(std::span<const PointD> vertices, std::span<const VertexPa
 /// Per vertex the edges around it, counter-clockwise by slope (edgeSlopeOrdering). Section 2.5.
 Lists<EdgeId> edge_slope_ordering(const Model& model);
 
+/// An entry of the sparse vertex-edge matrix: around the vertex, the edge after `edge`.
+struct NextEdge {
+  VertexId vertex;
+  EdgeId edge;
+  EdgeId next;
+};
+/// The matrix of next edges (ordered_csrVE), rows ascending. Section 2.5.
+std::vector<NextEdge> ordered_vertex_edges(const Lists<EdgeId>& slope_order);
+
+/// The distinct edges without zero edges, in the order of a set (first step of facesFromComps).
+std::vector<VertexPair> set_of_edges(std::span<const VertexPair> edges);
+
 /// The faces of the model (facesFromComps): a walk goes to the next edge counter-clockwise and ends
 /// when its first vertex comes back (F4). Edges in the order of a set. Aborts (Q6) or fails with
 /// NoTermination (Q4, F4) where merging has made the model non-planar. Section 2.5.
