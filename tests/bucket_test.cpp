@@ -111,6 +111,13 @@ TEST_CASE("buckets: a component beside a line that is all but vertical has its f
             .substr(0, 17) == "V 15 E 14 F 2 C 2");
 }
 
+// Regression: CGAL's default point location never ended here.
+TEST_CASE("a point on a vertical antenna that hangs into nested rooms splits it") {
+  const std::string diamond = "0 -20 20 0  20 0 0 20  0 20 -20 0  -20 0 0 -20  ";
+  CHECK(arranged(diamond + rectangle(-1, -1, 1, 1) + "0 40 0 0  + 0 1/2") ==
+        "V 12 E 13 F 3 C 1 antennas 4");
+}
+
 namespace {
 
 bucket::Job serial() { return bucket::Job(1, {}); }

@@ -4,6 +4,8 @@
 
 #include "plumbline/cgal.hpp"
 
+#include <CGAL/Arr_naive_point_location.h>
+
 #include <algorithm>
 #include <map>
 #include <type_traits>
@@ -133,7 +135,9 @@ Arrangement arrangement(const SegmentSet& input) {
   }
   Arrangement result;
   CGAL::insert(result, curves.begin(), curves.end());
-  for (const Point& p : input.points) CGAL::insert_point(result, to_cgal(p));
+  // Not by the default walk along a line, which never ends for some points above a vertex.
+  const CGAL::Arr_naive_point_location<Arrangement> location(result);
+  for (const Point& p : input.points) CGAL::insert_point(result, to_cgal(p), location);
   return result;
 }
 
