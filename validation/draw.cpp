@@ -53,7 +53,7 @@ Point Draw::any_point() {
 void Draw::add_points(int side) {
   if (!one_in(3)) return;
   for (int i = 0; i < 4; ++i) {
-    const int where = pick(3);
+    const int where = empty() ? 2 : pick(3);
     set_.add_point(where == 0 ? any().a : where == 1 ? any_point() : lattice(side), source_);
   }
 }
