@@ -40,6 +40,19 @@ SegmentSet pencil(int n) {
 
 }  // namespace
 
+namespace {
+
+bucket::Job serial() { return bucket::Job(1, {}); }
+
+std::string kernel_of(const std::string& text) {
+  bucket::Job job = serial();
+  const auto grid = bucket::GridInput::from(segments(text), job);
+  if (!grid) return "rational";
+  return bucket::GridKernel<std::int32_t>::fits(*grid) ? "narrow" : "wide";
+}
+
+}  // namespace
+
 TEST_CASE("both engines return the same complex on every family of random segments") {
   const std::string family = GENERATE(from_range(random_segments::families()));
   for (unsigned seed = 1; seed <= 60; ++seed) {
@@ -118,16 +131,41 @@ TEST_CASE("a point on a vertical antenna that hangs into nested rooms splits it"
         "V 12 E 13 F 3 C 1 antennas 4");
 }
 
-namespace {
-
-bucket::Job serial() { return bucket::Job(1, {}); }
-
-std::string kernel_of(const std::string& text) {
-  bucket::Job job = serial();
-  const auto grid = bucket::GridInput::from(segments(text), job);
-  if (!grid) return "rational";
-  return bucket::GridKernel<std::int32_t>::fits(*grid) ? "narrow" : "wide";
+// Regression: the slope of such a line is infinite in doubles, and its cells were no number.
+TEST_CASE("buckets: a line that all but level crosses the rows of the grid") {
+  CHECK(arranged("-1 -1e-315 1 1e-315  -1 -1 -19/20 -1  19/20 1 1 1  -1/2 -1/10 -1/2 1/10") ==
+        "V 9 E 6 F 1 C 3 antennas 6");
 }
+
+// Regression: looking for the sources of an edge went through all parts of its line.
+TEST_CASE("buckets: bricks, each overlapping the next, are covered by one or two") {
+  SegmentSet input;
+  const SourceId source = input.add_source({});
+  for (int i = 0; i < 200; ++i) input.add({{2 * i, 0}, {2 * i + 3, 0}}, source);
+  const ExactComplex complex = arrange(input);
+  CHECK(complex == arrange(input, Engine::Cgal));
+  CHECK(complex.edge_sources[0].size() == 1);
+  CHECK(complex.edge_sources[1].size() == 2);
+  CHECK(complex.edge_sources.flat().size() == 598);  // three each, the first and the last two
+}
+
+TEST_CASE("far from the origin, a drawing is arranged as near it") {
+  for (const char* offset : {"10000000000000000000", "-1000000000000000000000/7"}) {
+    SegmentSet near = random_segments::make("lattice", 11), far;
+    const SourceId source = far.add_source({});
+    const Rational d(offset);
+    for (const Segment& s : near.segments) {
+      far.add({{s.a.x + d, s.a.y - d}, {s.b.x + d, s.b.y - d}}, source);
+    }
+    for (const Point& p : near.points) far.add_point({p.x + d, p.y - d}, source);
+    ExactComplex moved = arrange(far);
+    for (Point& p : moved.vertices) p = {p.x - d, p.y + d};
+    CHECK(moved == arrange(near));
+  }
+  CHECK(kernel_of("10000000000000000000 5 10000000000000000001 6") == "narrow");
+}
+
+namespace {
 
 /// What a kernel decides about all pairs of its lines.
 template <class Kernel>
@@ -160,7 +198,8 @@ std::string decisions(const Kernel& kernel) {
 
 TEST_CASE("coordinates that share a decimal grid of 60 bits are integers, others rationals") {
   CHECK(kernel_of("0.1 0.25 57646075230342348.75 3") == "wide");
-  CHECK(kernel_of("0.1 0.25 57646075230342348.8 3") == "rational");
+  CHECK(kernel_of("0.1 0.25 57646075230342348.8 3") == "wide");
+  CHECK(kernel_of("0.1 0.25 115292150460684698 3") == "rational");
   CHECK(kernel_of("0 0 1e-19 3") == "rational");
   CHECK(kernel_of("1/3 1/7 1/11 3") == "narrow");
 }

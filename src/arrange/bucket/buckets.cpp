@@ -20,7 +20,8 @@ class Band {
         slope_((l.bx - l.ax) / (l.by - l.ay)) {}
 
   std::pair<double, double> between(double low, double high) const {
-    if (!(bottom_ < top_)) return {l_.ax - margin_, l_.bx + margin_};
+    // All but level: a slope that is no number.
+    if (!(bottom_ < top_) || !std::isfinite(slope_)) return {l_.ax - margin_, l_.bx + margin_};
     double x0 = at(low - margin_), x1 = at(high + margin_);
     if (x1 < x0) std::swap(x0, x1);
     // A steep slope magnifies rounding; the line has no other x.

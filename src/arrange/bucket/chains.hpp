@@ -95,6 +95,7 @@ inline Grouped<Hit> collect_hits(std::size_t line_count, const std::vector<Meeti
   for (const Meetings& block : found)
     first.push_back(static_cast<MeetingId>(block.crossings.size()));
   accumulate(first);
+  if (first.back() + 2 * line_count > kMostItems) throw_too_many();
   for (MeetingId& m : first) m += static_cast<MeetingId>(2 * line_count);
   return group<Hit>(
       line_count, found.size(),

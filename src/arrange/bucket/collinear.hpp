@@ -58,14 +58,13 @@ class CollinearMerge {
     job_.for_blocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
       kernel_.keys(begin, end, keys.data() + begin);
       for (std::size_t s = begin; s < end; ++s) {
-        // One or many; a few more than two where threads meet.
+        // None, one, many.
         std::atomic_ref slot(count[keys[s] >> (64 - bits)]);
         const std::uint8_t seen = slot.load(std::memory_order_relaxed);
-        if (seen >= 2) continue;
-        if (job_.is_parallel()) {
-          slot.fetch_add(1, std::memory_order_relaxed);
-        } else {
-          slot.store(static_cast<std::uint8_t>(seen + 1), std::memory_order_relaxed);
+        if (seen == 2) continue;
+        // Of all that see none, only the first leaves it at one.
+        if (seen == 1 || slot.exchange(1, std::memory_order_relaxed) != 0) {
+          slot.store(2, std::memory_order_relaxed);
         }
       }
     });

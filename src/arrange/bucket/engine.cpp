@@ -88,8 +88,10 @@ AnyKernel make_kernel(const SegmentSet& input, Job& job) {
 }  // namespace
 
 Result arrange(const SegmentSet& input, Job& job) {
+  // Each item may make a carrier and two breaks, of two ends each; crossings are counted later.
+  if (input.segments.size() + input.points.size() > kMostItems / 8) throw_too_many();
   job.begin_step(0.05);
-  return std::visit([&](auto&& kernel) { return arrange_lines(std::move(kernel), job); },
+  return std::visit([&](auto kernel) { return arrange_lines(std::move(kernel), job); },
                     make_kernel(input, job));
 }
 

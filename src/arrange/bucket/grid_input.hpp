@@ -14,12 +14,12 @@ namespace plumbline::bucket {
 /// the drawing.
 struct GridInput {
   std::vector<std::array<std::int64_t, 4>> lines;  ///< ax, ay, bx, by, a first
-  mpz_class scale;                                 ///< grid units in a unit of the drawing
-  std::int64_t x = 0, y = 0;                       ///< the middle, on the grid
+  mpz_class scale = 1;                             ///< grid units in a unit of the drawing
+  mpz_class x, y;                                  ///< the middle, on the grid
   std::int64_t largest = 0;                        ///< absolute value among `lines`
 
-  /// The input's segments, then its points (as lines without length); nothing where an integer of
-  /// at most kBits bits does not hold a coordinate.
+  /// The input's segments, then its points (as lines without length); nothing where a coordinate
+  /// does not fit kBits bits.
   static std::optional<GridInput> from(const SegmentSet& input, Job& job);
   static constexpr int kBits = 60;
 };

@@ -115,8 +115,8 @@ int GridKernel<C>::compare_heights(LineId s, LineId o, EndId end) const {
 
 template <class C>
 Point GridKernel<C>::point(EndId end) const {
-  Point p{Rational(mpz_class(std::int64_t(x(end)) + middle_x_), scale_),
-          Rational(mpz_class(std::int64_t(y(end)) + middle_y_), scale_)};
+  Point p{Rational(mpz_class(static_cast<long>(x(end)) + middle_x_), scale_),
+          Rational(mpz_class(static_cast<long>(y(end)) + middle_y_), scale_)};
   p.x.canonicalize();
   p.y.canonicalize();
   return p;
@@ -127,7 +127,7 @@ Point GridKernel<C>::crossing(LineId s, LineId o) const {
   const auto [n, d] = fraction(s, o);
   const Coordinates& c = lines_[s];
   const mpz_class numerator = to_mpz(n), denominator = to_mpz(d);
-  const auto at = [&](std::int64_t a, std::int64_t b, std::int64_t middle) {
+  const auto at = [&](long a, long b, const mpz_class& middle) {
     Rational r(mpz_class(a + middle) * denominator + mpz_class(b - a) * numerator,
                denominator * scale_);
     r.canonicalize();

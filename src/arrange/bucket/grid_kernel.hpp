@@ -109,7 +109,7 @@ class GridKernel {
 
   std::vector<Coordinates> lines_;
   mpz_class scale_;
-  std::int64_t middle_x_ = 0, middle_y_ = 0;
+  mpz_class middle_x_, middle_y_;
 };
 
 extern template class GridKernel<std::int32_t>;

@@ -13,10 +13,13 @@ void Provenance::place(const Grouped<std::uint32_t>& chains) {
       position.push_back(i);
     }
     position.push_back(static_cast<std::uint32_t>(chain.size() - 1));
+    std::uint32_t reach = 0;
     for (std::uint32_t p = carriers.parts.begin[c]; p < carriers.parts.begin[c + 1]; ++p) {
       Part& part = carriers.parts.items[p];
       part.from = position[part.from];
       part.to = position[part.to];
+      reach = std::max(reach, part.to);
+      part.reach = reach;
     }
   }
   carriers.breaks = {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace plumbline::bucket {
 /// carrier's first end.
 struct Part {
   std::uint32_t item, from, to;
+  std::uint32_t reach = 0;  ///< the greatest `to` up to here, once placed
 };
 
 /// Lines that stand for several input items each.
@@ -30,16 +32,19 @@ struct Provenance {
   void place(const Grouped<std::uint32_t>& chains);
 
   /// Calls visit(item) for the items that cover the edge at a position of a line. Requires: `place`
-  /// was called.
+  /// was called. Cost: the parts that begin after one that goes on to here.
   template <class Visit>
   void for_items(LineId line, std::size_t position, Visit visit) const {
     if (item[line] < item_count) {
       visit(item[line]);
       return;
     }
-    for (const Part& part : carriers.parts[item[line] - item_count]) {
-      if (part.from > position) break;
-      if (position < part.to) visit(part.item);
+    const auto parts = carriers.parts[item[line] - item_count];
+    auto part = std::partition_point(parts.begin(), parts.end(),
+                                     [&](const Part& p) { return p.from <= position; });
+    while (part != parts.begin() && (part - 1)->reach > position) {
+      --part;
+      if (part->to > position) visit(part->item);
     }
   }
 };

@@ -52,9 +52,12 @@ RationalKernel::RationalKernel(const SegmentSet& input, Job& job)
     const Point &a = q < p ? q : p, &b = q < p ? p : q;
     lines_[i] = {a.x, a.y, b.x, b.y};
   });
+  if (lines_.empty()) return;
+  origin_ = {lines_[0][0], lines_[0][1]};
   bool first = true;
   for (const Coordinates& line : lines_) {
-    for (const Rational& c : line) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Rational c = line[i] - (i % 2 == 0 ? origin_.x : origin_.y);
       if (sgn(c) == 0) continue;
       exponent_ = first ? exponent_of(c) : std::max(exponent_, exponent_of(c));
       first = false;
@@ -64,7 +67,9 @@ RationalKernel::RationalKernel(const SegmentSet& input, Job& job)
 }
 
 Approx RationalKernel::rounded(const Coordinates& line) const {
-  const auto approx = [&](std::size_t i) { return nearest_double(scaled(line[i], exponent_)); };
+  const auto approx = [&](std::size_t i) {
+    return nearest_double(scaled(line[i] - (i % 2 == 0 ? origin_.x : origin_.y), exponent_));
+  };
   return {approx(0), approx(1), approx(2), approx(3)};
 }
 

@@ -26,7 +26,8 @@ class RationalKernel {
     return lines_[s][0] == lines_[s][2] && lines_[s][1] == lines_[s][3];
   }
   void keys(std::size_t begin, std::size_t end, std::uint64_t* key) const;
-  /// Coordinates divided by a power of two that takes the largest of them into [1/2, 1).
+  /// Coordinates relative to the first one, divided by a power of two that takes the largest of
+  /// them into [1/4, 1).
   Approx approx(LineId s) const { return approx_[s]; }
 
   Relation relate(LineId s, LineId o) const {
@@ -76,6 +77,7 @@ class RationalKernel {
 
   std::vector<Coordinates> lines_;
   std::vector<Approx> approx_;
+  Point origin_;
   long exponent_ = 0;  ///< the power of two
 };
 

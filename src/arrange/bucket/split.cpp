@@ -7,13 +7,15 @@
 namespace plumbline::bucket {
 namespace {
 
-/// A split must leave fewer than this times the lines in its two parts together.
-constexpr double kProgress = 1.5;
+/// A split must leave fewer than this times the lines in its two parts together. A little more than
+/// where half the lines go along the split and half across it.
+constexpr double kProgress = 1.55;
 /// Where more than this share of the pairs cross, tests of pairs are not wasted, but smaller
 /// buckets are done in parallel; then a split may leave nearly all lines on both sides.
 constexpr double kDense = 0.2, kProgressIfDense = 1.9;
-/// Where more than this agree in direction, they are split across it if that is better.
-constexpr double kAligned = 0.9;
+/// Where a split along x or y leaves more than kGood times the lines in its parts, and more than
+/// kAligned of them agree in direction, they may be split across that.
+constexpr double kGood = 1.1, kAligned = 0.9;
 
 /// What a few pairs of lines say about all of them, as far as doubles can tell.
 struct Pairs {
@@ -89,6 +91,25 @@ Split split_along(const PointD& normal, const Box& box, const std::vector<LineId
   return result;
 }
 
+/// The normal of the split that puts the fewest lines on both sides, judged by some of them.
+PointD best_normal(const Box& box, const std::vector<LineId>& members,
+                   std::span<const Approx> lines, double margin) {
+  constexpr std::size_t kSome = 64;
+  std::vector<LineId> some;
+  const std::size_t count = std::min(members.size(), kSome);
+  for (std::size_t k = 0; k < count; ++k) some.push_back(members[k * members.size() / count]);
+  const auto size = [&](const PointD& normal) {
+    return split_along(normal, box, some, lines, margin).size();
+  };
+  const PointD x{1, 0}, y{0, 1};
+  const std::size_t along_x = size(x), along_y = size(y), least = std::min(along_x, along_y);
+  if (static_cast<double>(least) > kGood * static_cast<double>(count)) {
+    const Across common = across(some, lines);
+    if (common.agreement > kAligned && size(common.normal) < least) return common.normal;
+  }
+  return along_y < along_x ? y : x;
+}
+
 }  // namespace
 
 Across across(std::span<const LineId> members, std::span<const Approx> lines) {
@@ -126,27 +147,14 @@ Split split(const Box& box, const std::vector<LineId>& members, std::span<const 
   if (members.size() <= kFullBucket) return {};
   const Pairs pairs = look_at_pairs(box, members, lines, margin);
   if (pairs.pencil) return {};
-  Split best = split_along({1, 0}, box, members, lines, margin);
+  const PointD normal = best_normal(box, members, lines, margin);
+  Split best = split_along(normal, box, members, lines, margin);
   best.low_box = best.high_box = box;
-  best.low_box.x1 = best.high_box.x0 = best.at;
-  if (Split other = split_along({0, 1}, box, members, lines, margin); other.size() < best.size()) {
-    best = std::move(other);
-    best.low_box = best.high_box = box;
-    best.low_box.y1 = best.high_box.y0 = best.at;
-  }
+  if (normal.y == 0) best.low_box.x1 = best.high_box.x0 = best.at;
+  if (normal.x == 0) best.low_box.y1 = best.high_box.y0 = best.at;
   const double count = static_cast<double>(members.size());
-  if (static_cast<double>(best.size()) > 1.1 * count) {
-    if (const Across common = across(members, lines); common.agreement > kAligned) {
-      Split other = split_along(common.normal, box, members, lines, margin);
-      if (other.size() < best.size()) {
-        best = std::move(other);
-        best.low_box = best.high_box = box;
-      }
-    }
-  }
-  best.useful = best.low.size() < members.size() && best.high.size() < members.size() &&
-                static_cast<double>(best.size()) <
-                    (pairs.crossing > kDense ? kProgressIfDense : kProgress) * count;
+  best.useful = static_cast<double>(best.size()) <
+                (pairs.crossing > kDense ? kProgressIfDense : kProgress) * count;
   return best;
 }
 
