@@ -43,7 +43,8 @@ class Job {
     std::atomic<std::size_t> done = 0;
     const auto one = [&](std::size_t block) {
       work(block * size, std::min(count, (block + 1) * size));
-      tell(static_cast<double>(++done) / static_cast<double>(blocks));
+      tell(static_cast<double>(done.fetch_add(1, std::memory_order_relaxed) + 1) /
+           static_cast<double>(blocks));
     };
     if (is_parallel() && blocks > 1) {
       tbb::parallel_for(std::size_t{0}, blocks, one);
