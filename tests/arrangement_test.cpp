@@ -33,8 +33,7 @@ std::vector<VertexId> canonical_vertices(const Arrangement& a, const ExactComple
 }  // namespace
 
 TEST_CASE("an arrangement tells the same as its canonical complex") {
-  const std::string family = GENERATE(
-      from_range(std::begin(random_segments::kFamilies), std::end(random_segments::kFamilies)));
+  const std::string family = GENERATE(from_range(random_segments::families()));
   CAPTURE(family);
   const SegmentSet input = random_segments::make(family, 3);
   const Arrangement a(input);
