@@ -27,10 +27,14 @@ double reach_of(std::span<const Approx> approx) {
 }
 
 /// Points known to within the errors of a parameter and of rounded coordinates are this close to
-/// where they are computed to be.
+/// where they are computed to be, and so are the borders of buckets. With u = 2^-53 and r the
+/// reach: a point a + t (b - a) is off by 2 r times the error of t, which is at most 4
+/// kRelativeError, and by 8 u r for rounded ends and operations; the border of a cell, computed in
+/// two ways, by 9 u r; a coordinate widened by the margin, its rounded line and the projection onto
+/// a normal by 6 u r.
 template <class Kernel>
 double margin_of(double reach) {
-  return (8 * Kernel::kRelativeError + 16 * 0x1p-53) * reach;
+  return (8 * Kernel::kRelativeError + 32 * 0x1p-53) * reach;
 }
 
 template <class Kernel>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Step 9: faces from cycles.
+// Step 8, continued: faces from cycles.
 
 #include <vector>
 

@@ -162,7 +162,8 @@ class Pencils {
     }
   }
 
-  /// A pencil that a member is in, and another that it meets as well.
+  /// A pencil that a member is in, and another that it meets as well. Only those nearby are looked
+  /// at: a miss costs time, never a meeting.
   std::size_t find_pencil(std::size_t member, const Meeting& m) const {
     constexpr double kNear = 1e-6;
     const LineId line = members_[member].line, other = members_[m.other].line;
