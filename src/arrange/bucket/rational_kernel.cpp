@@ -53,29 +53,32 @@ RationalKernel::RationalKernel(const SegmentSet& input, Job& job)
     lines_[i] = {a.x, a.y, b.x, b.y};
   });
   if (lines_.empty()) return;
-  origin_ = {lines_[0][0], lines_[0][1]};
+  const Point origin{lines_[0][0], lines_[0][1]};
   bool first = true;
   for (const Coordinates& line : lines_) {
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const Rational c = line[i] - (i % 2 == 0 ? origin_.x : origin_.y);
+      const Rational c = line[i] - (i % 2 == 0 ? origin.x : origin.y);
       if (sgn(c) == 0) continue;
       exponent_ = first ? exponent_of(c) : std::max(exponent_, exponent_of(c));
       first = false;
     }
   }
-  job.for_each(lines_.size(), [&](std::size_t i) { approx_[i] = rounded(lines_[i]); });
-}
-
-Approx RationalKernel::rounded(const Coordinates& line) const {
-  const auto approx = [&](std::size_t i) {
-    return nearest_double(scaled(line[i] - (i % 2 == 0 ? origin_.x : origin_.y), exponent_));
-  };
-  return {approx(0), approx(1), approx(2), approx(3)};
+  job.for_each(lines_.size(), [&](std::size_t s) {
+    const auto rounded = [&](std::size_t i) {
+      return nearest_double(scaled(lines_[s][i] - (i % 2 == 0 ? origin.x : origin.y), exponent_));
+    };
+    approx_[s] = {rounded(0), rounded(1), rounded(2), rounded(3)};
+  });
 }
 
 LineId RationalKernel::join(EndId a, EndId b) {
   lines_.push_back({x(a), y(a), x(b), y(b)});
-  approx_.push_back(rounded(lines_.back()));
+  const auto place = [&](EndId end) {
+    const Approx& l = approx_[line_of(end)];
+    return is_last(end) ? PointD{l.bx, l.by} : PointD{l.ax, l.ay};
+  };
+  const PointD p = place(a), q = place(b);
+  approx_.push_back({p.x, p.y, q.x, q.y});
   return static_cast<LineId>(lines_.size() - 1);
 }
 

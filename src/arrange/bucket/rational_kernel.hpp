@@ -69,7 +69,6 @@ class RationalKernel {
   };
   const Rational& x(EndId end) const { return lines_[line_of(end)][is_last(end) ? 2 : 0]; }
   const Rational& y(EndId end) const { return lines_[line_of(end)][is_last(end) ? 3 : 1]; }
-  Approx rounded(const Coordinates& line) const;
   Filtered filtered(LineId s, EndId end) const;
   Rational cross(LineId s, EndId end) const;
   Rational height(LineId s, EndId end) const;
@@ -77,7 +76,6 @@ class RationalKernel {
 
   std::vector<Coordinates> lines_;
   std::vector<Approx> approx_;
-  Point origin_;
   long exponent_ = 0;  ///< the power of two
 };
 
