@@ -8,18 +8,10 @@
 #include <numeric>
 
 #include "lar/stages.hpp"
+#include "lar/tile_code.hpp"
 
 namespace plumbline::lar {
 namespace {
-
-enum Tile : unsigned { kHere = 0, kAbove = 1, kBelow = 2, kRight = 4, kLeft = 8 };
-
-unsigned tile_code(const PointD& around, const PointD& p) {
-  return (p.y > around.y ? kAbove : kHere) | (p.y < around.y ? kBelow : kHere) |
-         (p.x > around.x ? kRight : kHere) | (p.x < around.x ? kLeft : kHere);
-}
-
-enum class Crossing { None, Odd, OnPoint };
 
 /// How the edge from p to q meets the half-line to the right of the point `from`.
 Crossing cross_half_line(const PointD& from, const PointD& p, const PointD& q) {

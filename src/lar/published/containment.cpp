@@ -4,18 +4,10 @@
 #include <numeric>
 
 #include "lar/published/stages.hpp"
+#include "lar/tile_code.hpp"
 
 namespace plumbline::lar::published {
 namespace {
-
-enum Tile : unsigned { kHere = 0, kAbove = 1, kBelow = 2, kRight = 4, kLeft = 8 };
-
-unsigned tile_code(const PointD& around, const PointD& p) {
-  return (p.y > around.y ? kAbove : kHere) | (p.y < around.y ? kBelow : kHere) |
-         (p.x > around.x ? kRight : kHere) | (p.x < around.x ? kLeft : kHere);
-}
-
-enum class Crossing { None, Odd, OnPoint };
 
 /// What one edge does to the count, in the original's order of cases. The half crossings of an edge
 /// that ends on the half-line change nothing: the original counts them in copies of its counters.
