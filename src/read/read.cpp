@@ -40,10 +40,10 @@ std::string lower_case_ending(const fs::path& file) {
 
 }  // namespace
 
-Structure read(const fs::path& file) {
+Structure read(const fs::path& file, const ReadOptions& options) {
   const std::string text = content(file);
   const std::string ending = lower_case_ending(file);
-  if (ending == ".svg") return read_svg(text, file.string());
+  if (ending == ".svg") return read_svg(text, file.string(), options);
   if (ending == ".lines") return read_lines(text, file.string());
   throw Error(ErrorCode::BadInput, "unknown file name ending; known are .svg and .lines",
               {file.string(), 0, 0}, ending);

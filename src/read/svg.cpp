@@ -253,7 +253,8 @@ class SvgReader {
 
 }  // namespace
 
-Structure read_svg(std::string_view text, const std::string& file_name) {
+Structure read_svg(std::string_view text, const std::string& file_name,
+                   const ReadOptions& /*options*/) {
   return SvgReader(text, file_name).read();
 }
 
