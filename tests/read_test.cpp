@@ -114,7 +114,7 @@ TEST_CASE("a file is read by its ending, in either case") {
   CHECK(evaluate(read(scratch.file("a.Lines", "0,0,1,1"))).segments.size() == 1);
   const auto error = error_of(scratch.file("a.dwg", ""));
   CHECK(error.code() == plumbline::ErrorCode::BadInput);
-  CHECK(error.message() == "unknown file name ending; known are .svg and .lines");
+  CHECK(error.message() == "unknown file name ending; known are .svg, .dxf and .lines");
   CHECK(error.offending_text() == ".dwg");
 }
 

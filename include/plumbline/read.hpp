@@ -24,9 +24,9 @@ struct ReadOptions {
 };
 
 /// The drawing in a file, every number exact. The format is told by the file name's ending, in
-/// either case: `.svg`, `.lines`. What the reader does not understand is listed in `rejected`, with
-/// its place. Throws: Error BadFile, BadInput (malformed file, unknown ending), Limit (beyond
-/// kMaxFileSize; numbers or entities that grow beyond all measure).
+/// either case: `.svg`, `.dxf`, `.lines`. What the reader does not understand is listed in
+/// `rejected`, with its place. Throws: Error BadFile, BadInput (malformed file, unknown ending),
+/// Limit (beyond kMaxFileSize; numbers or entities that grow beyond all measure).
 Structure read(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// SVG text as a Structure: `g`, `a` and nested `svg` become Structs named by their inkscape:label
@@ -38,6 +38,23 @@ Structure read(const std::filesystem::path& file, const ReadOptions& options = {
 /// count bytes of UTF-8. No recursion: depth is limited by memory only. Throws: Error BadInput for
 /// malformed XML and a root other than `svg`; Limit.
 Structure read_svg(std::string_view text, const std::string& file_name,
+                   const ReadOptions& options = {});
+
+/// DXF, as text (R12 to current) or binary, as a Structure. The model space is the root; a layer in
+/// it or in a block is a Struct named by it, of category "layer"; a BLOCK is a Struct stored once,
+/// of category "block"; an INSERT refers to it below its map, an array once per copy. What a block
+/// has on layer "0" is in the block's own Struct and so belongs to the layer of the INSERT. Models:
+/// LINE, LWPOLYLINE, POLYLINE (with bulges, in space, meshes), ARC, CIRCLE, ELLIPSE, SPLINE (by
+/// control points), 3DFACE, SOLID, TRACE; the projection along z. Coordinates are drawing units;
+/// line weights, widths and thickness are ignored. `rejected` lists with their places what is
+/// malformed, missing or extruded in another direction than z, and per kind with counts what is not
+/// drawn: other entities, the paper space, z coordinates, with `visible_only` what is hidden
+/// (entities and edges marked so, layers that are off or frozen). The ledger lists, per kind,
+/// curves by their chords and angles by rational rotations. Source::line is the line of the
+/// entity's name; in a binary DXF, of its text form with two lines per group. No recursion. Throws:
+/// Error BadInput, with its line, for text that is no sequence of groups, for a text without
+/// sections and for a block within itself; Limit.
+Structure read_dxf(std::string_view text, const std::string& file_name,
                    const ReadOptions& options = {});
 
 /// LAR's `.lines` text: a row `x1,y1,x2,y2` per segment, blanks around the numbers allowed; empty

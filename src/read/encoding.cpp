@@ -15,6 +15,10 @@ bool is_name_character(char c) {
          c == '_' || c == '.' || c == ':';
 }
 
+bool is_name(const std::string& encoding) {
+  return !encoding.empty() && std::all_of(encoding.begin(), encoding.end(), is_name_character);
+}
+
 /// The value of `encoding` in an XML declaration, empty where there is none.
 std::string_view declared_encoding(std::string_view text) {
   if (!text.starts_with("<?xml")) return {};
@@ -114,10 +118,18 @@ void check_control_characters(std::string_view text, const std::string& file) {
 
 }  // namespace
 
+std::optional<std::string> utf8_from(std::string_view bytes, const std::string& encoding) {
+  if (!is_name(encoding)) return std::nullopt;
+  Converter converter(encoding);
+  if (!converter.valid()) return std::nullopt;
+  auto [text, complete] = converter.convert(bytes);
+  return complete ? std::optional(std::move(text)) : std::nullopt;
+}
+
 std::string to_utf8(std::string_view bytes, const std::string& file) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::string encoding(encoding_of(bytes));
-  const bool plausible = std::all_of(encoding.begin(), encoding.end(), is_name_character);
+  const bool plausible = is_name(encoding);
   const auto is_beyond_ascii = [](char c) { return static_cast<unsigned char>(c) >= 0x80U; };
   if (encoding == kUtf8 && !any_of(bytes, is_beyond_ascii)) {
     std::string text(bytes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,10 @@ namespace plumbline {
 /// for an unknown encoding, a byte sequence that is none of its characters, and a control character
 /// that XML forbids.
 std::string to_utf8(std::string_view bytes, const std::string& file);
+
+/// The bytes, in the encoding that iconv knows by this name, as UTF-8; nothing where they are not
+/// valid in it or it is unknown.
+std::optional<std::string> utf8_from(std::string_view bytes, const std::string& encoding);
 
 /// Line and column (in bytes) of an offset into a text.
 Place place_in(std::string_view text, std::size_t offset, const std::string& file);

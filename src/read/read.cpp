@@ -44,8 +44,9 @@ Structure read(const fs::path& file, const ReadOptions& options) {
   const std::string text = content(file);
   const std::string ending = lower_case_ending(file);
   if (ending == ".svg") return read_svg(text, file.string(), options);
+  if (ending == ".dxf") return read_dxf(text, file.string(), options);
   if (ending == ".lines") return read_lines(text, file.string());
-  throw Error(ErrorCode::BadInput, "unknown file name ending; known are .svg and .lines",
+  throw Error(ErrorCode::BadInput, "unknown file name ending; known are .svg, .dxf and .lines",
               {file.string(), 0, 0}, ending);
 }
 

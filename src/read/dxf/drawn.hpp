@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plumbline/geometry.hpp"
+#include "read/attribute.hpp"
+
+namespace plumbline::dxf {
+
+/// A replacement of what the file says, by how much at most.
+struct Replaced {
+  std::string what;
+  double bound = 0;
+  const char* unit = "";
+};
+
+/// What one entity draws, in the coordinates of the space that holds it.
+struct Drawn {
+  SegmentList segments;
+  std::vector<Replaced> replaced;
+  std::vector<Unusable> refused;  ///< parts that take no part
+};
+
+/// Appends the segments between successive points.
+void append_chain(SegmentList& segments, const std::vector<NumberPoint>& points);
+/// Appends the segments of the closed polygon.
+void append_ring(SegmentList& segments, const std::vector<NumberPoint>& points);
+
+}  // namespace plumbline::dxf

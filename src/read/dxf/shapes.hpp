@@ -1,0 +1,34 @@
+#pragma once
+
+#include "read/dxf/drawn.hpp"
+#include "read/dxf/entity.hpp"
+#include "read/flatten.hpp"
+
+namespace plumbline::dxf {
+
+/// What the shapes need besides their groups.
+struct Pen {
+  Flattener flattener;
+  double angle_bound;
+  bool visible_only;
+};
+
+/// A vertex of a polyline and the bulge of what leads from it to the next.
+struct Vertex {
+  NumberPoint point;
+  Number bulge;
+};
+/// A polyline with arcs, in its own coordinates. A closed one ends exactly where it starts.
+/// Degenerate: no closing segment where the last vertex is the first. Throws: Unusable for fewer
+/// than two vertices.
+Drawn draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plane plane, Pen& pen);
+
+/// Whether entities of this type are drawn by `draw_shape`.
+bool is_shape(std::string_view type);
+/// LINE, LWPOLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE, 3DFACE, SOLID and TRACE; of all, the projection
+/// along z. Requires: is_shape of the type. Throws: Unusable.
+Drawn draw_shape(const Entity& entity, Pen& pen);
+/// Whether a z coordinate or an elevation of the entity is not 0.
+bool has_height(const Entity& entity);
+
+}  // namespace plumbline::dxf

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "plumbline/structure.hpp"
+#include "read/dxf/drawn.hpp"
+
+namespace plumbline::dxf {
+
+/// What a part of a drawing refuses and replaces: faults one by one, the rest by kind.
+class Tally {
+ public:
+  /// An item that is at fault.
+  void refuse(const Source& source, const Unusable& problem);
+  /// One of the items that are left out for the same reason; listed as one per type and reason, in
+  /// the place of the first.
+  void leave_out(const Source& source, const std::string& reason);
+  /// Listed as one per type and `what`, in the place of the first, with the largest bound.
+  void replace(const Source& source, const Replaced& replaced);
+
+  void merge(Tally other);
+  /// To `rejected` and `ledger`, each by their lines.
+  void append_to(Structure& structure) const;
+
+ private:
+  struct Count {
+    Source first;
+    std::size_t count = 0;
+    double bound = 0;
+  };
+  using Key = std::tuple<std::string, std::string, std::string>;  ///< type, reason or what, unit
+  using Counts = std::map<Key, Count>;
+
+  static void add(Counts& counts, const Key& key, const Count& more);
+
+  std::vector<Rejected> refused_;
+  Counts left_out_;
+  Counts replaced_;
+};
+
+}  // namespace plumbline::dxf
