@@ -26,6 +26,8 @@ struct Options {
   /// kDefaultRelativeRadius times the longer side of the drawing's box; raised to
   /// kLeastRelativeRadius where it is less.
   std::optional<double> radius;
+  /// At most so many (and 1024); 0: as many as there are cores. Does not change the result.
+  std::size_t threads = 0;
 };
 
 /// A straight segment with double ends.

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "lar/parallel.hpp"
 #include "lar/stages.hpp"
 
 namespace plumbline::lar {
@@ -24,9 +25,7 @@ FloatComplex scaled(FloatComplex complex, int exponent) {
   return complex;
 }
 
-}  // namespace
-
-Result arrange(const SegmentSet& input, const Options& options) {
+Result arrange_here(const SegmentSet& input, const Options& options) {
   Drawing drawing = to_doubles(input, options);
   Result result;
   Trace& trace = result.trace;
@@ -51,6 +50,14 @@ Result arrange(const SegmentSet& input, const Options& options) {
   const std::vector<Exterior> exteriors = exterior_cycles(graph, trace.edge_order, trace.cycles);
   result.complex =
       canonical(scaled(cells(graph, trace.cycles, exteriors, trace.cycle_areas), trace.exponent));
+  return result;
+}
+
+}  // namespace
+
+Result arrange(const SegmentSet& input, const Options& options) {
+  Result result;
+  on_threads(options.threads, [&] { result = arrange_here(input, options); });
   return result;
 }
 

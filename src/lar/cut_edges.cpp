@@ -1,16 +1,20 @@
-// Brute force within the buckets. Each pair is met twice, once from each edge, so that only the
-// cuts of one edge are in memory before those that rounding alone tells apart are dropped: a pencil
-// of n lines has n^2 of them.
+// Brute force within the buckets, in parallel: buckets are independent, and so are the rows of a
+// full one. Of cuts that rounding alone tells apart most are dropped at once: a pencil of n lines
+// has n^2 of them.
 
 #include <algorithm>
 
+#include "lar/bucket_pairs.hpp"
+#include "lar/parallel.hpp"
 #include "lar/points.hpp"
 #include "lar/stages.hpp"
 
 namespace plumbline::lar {
 namespace {
 
-using BucketId = Index<struct BucketTag>;
+constexpr std::size_t kEdgesPerBlock = 4096;
+/// Members that rows are paired with before the next ones: they fit the processor's first cache.
+constexpr std::size_t kMembersAtOnce = 256;
 
 bool overlap(const Box& s, const Box& t) {
   return s[0] <= t[2] && t[0] <= s[2] && s[1] <= t[3] && t[1] <= s[3];
@@ -25,82 +29,131 @@ std::vector<SegmentD> segments_of(const Graph& graph) {
   return segments;
 }
 
-/// The edges whose boxes overlap, through the buckets that they share.
-class Neighbours {
- public:
-  Neighbours(std::span<const Box> boxes, const Lists<EdgeId>& buckets)
-      : boxes_(boxes), buckets_(buckets), buckets_of_(boxes.size()), visited_by_(boxes.size()) {
-    for (std::size_t b = 0; b < buckets.size(); ++b) {
-      for (EdgeId e : buckets[b]) buckets_of_[e].push_back(BucketId(b));
-    }
-  }
+struct EdgeCut {
+  EdgeId edge;
+  Cut cut;
+};
 
-  /// Calls visit(other) once for each.
-  template <class Visit>
-  void for_each(EdgeId e, Visit visit) {
-    visited_by_[e] = e;
-    for (BucketId b : buckets_of_[e]) {
-      for (EdgeId other : buckets_[b]) {
-        if (visited_by_[other] == e) continue;
-        visited_by_[other] = e;
-        if (overlap(boxes_[e], boxes_[other])) visit(other);
-      }
+/// Cuts as a task finds them.
+class FoundCuts {
+ public:
+  explicit FoundCuts(double same) : same_(same) {}
+
+  /// Before the members of another bucket are cut.
+  void begin_bucket(std::size_t members) { last_.assign(members, kNone); }
+  /// Cuts an edge, which stands at that position in the bucket; unless it was last cut there.
+  void add(std::size_t position, EdgeId e, const CutPair& cuts) {
+    for (const Cut& cut : cuts) {
+      std::size_t& last = last_[position];
+      if (last != kNone && near(cuts_[last].cut.point, cut.point, same_)) continue;
+      last = cuts_.size();
+      cuts_.push_back({e, cut});
     }
   }
+  std::vector<EdgeCut> take() { return std::move(cuts_); }
 
  private:
-  std::span<const Box> boxes_;
-  const Lists<EdgeId>& buckets_;
-  std::vector<std::vector<BucketId>> buckets_of_;
-  std::vector<EdgeId> visited_by_;
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  double same_;
+  std::vector<std::size_t> last_;  ///< per position
+  std::vector<EdgeCut> cuts_;
 };
+
+/// What cutting needs to know of a drawing.
+struct Edges {
+  std::vector<SegmentD> segments;
+  std::span<const Box> boxes;
+  std::vector<bool> vanishes;  ///< no longer than the radius: will become a point
+  double radius;
+  double same;  ///< cuts no further apart than this differ by rounding
+};
+
+/// Cuts the rows' members and some members behind them.
+void cut_pairs(const BucketPairs::Rows& rows, std::size_t first, std::size_t last,
+               const BucketPairs& pairs, const Edges& edges, FoundCuts& found) {
+  const auto bucket = pairs.bucket(rows.bucket);
+  for (std::size_t row = rows.begin; row < rows.end; ++row) {
+    const EdgeId e = bucket[row];
+    for (std::size_t i = std::max(first, row + 1); i < last; ++i) {
+      const EdgeId other = bucket[i];
+      if (!overlap(edges.boxes[e], edges.boxes[other])) continue;
+      if (!pairs.is_first_common(rows.bucket, e, other)) continue;
+      const Meeting meeting = meet(edges.segments[e], edges.segments[other], edges.radius);
+      // No place on an edge that vanishes is worth a cut, and where it crosses another such edge
+      // some of their ends are near each other.
+      if (!edges.vanishes[e]) found.add(row, e, meeting.on_first);
+      if (!edges.vanishes[other]) found.add(i, other, meeting.on_second);
+    }
+  }
+}
+
+std::vector<EdgeCut> cuts_of(std::span<const BucketPairs::Rows> task, const BucketPairs& pairs,
+                             const Edges& edges) {
+  FoundCuts found(edges.same);
+  for (const BucketPairs::Rows& rows : task) {
+    const std::size_t members = pairs.bucket(rows.bucket).size();
+    found.begin_bucket(members);
+    for (std::size_t first = rows.begin; first < members; first += kMembersAtOnce) {
+      cut_pairs(rows, first, std::min(members, first + kMembersAtOnce), pairs, edges, found);
+    }
+  }
+  return found.take();
+}
 
 /// Sorts, and drops what lies within `same` of the one kept before, or further from it than the
 /// edge is long: two ends beside a short edge, one on each side, would replace it by their
-/// connection, and next time that by the edge.
-std::vector<Cut> reduced(std::vector<Cut> cuts, const SegmentD& edge, double same) {
+/// connection, and next time that by the edge. Returns how many are left.
+std::size_t reduce(std::span<Cut> cuts, const SegmentD& edge, double same) {
   std::sort(cuts.begin(), cuts.end(), [](const Cut& s, const Cut& t) {
     return s.parameter != t.parameter ? s.parameter < t.parameter : s.point < t.point;
   });
   const double length = squared_distance(edge.a, edge.b);
-  std::vector<Cut> kept;
+  std::size_t kept = 0;
   for (const Cut& cut : cuts) {
     const bool superfluous =
-        !kept.empty() && (near(kept.back().point, cut.point, same) ||
-                          squared_distance(kept.back().point, cut.point) >= length);
-    if (!superfluous) kept.push_back(cut);
+        kept > 0 && (near(cuts[kept - 1].point, cut.point, same) ||
+                     squared_distance(cuts[kept - 1].point, cut.point) >= length);
+    if (!superfluous) cuts[kept++] = cut;
   }
   return kept;
+}
+
+/// The cuts edge by edge.
+Lists<Cut> gathered(const std::vector<std::vector<EdgeCut>>& found, const Edges& edges) {
+  std::vector<std::size_t> begin(edges.segments.size() + 1, 0);
+  for (const auto& cuts : found)
+    for (const EdgeCut& c : cuts) ++begin[c.edge + 1];
+  for (std::size_t e = 0; e + 1 < begin.size(); ++e) begin[e + 1] += begin[e];
+  std::vector<Cut> cuts(begin.back());
+  std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+  for (const auto& of_task : found)
+    for (const EdgeCut& c : of_task) cuts[end[c.edge]++] = c.cut;
+  for_blocks(end.size(), kEdgesPerBlock, [&](std::size_t first, std::size_t last) {
+    for (std::size_t e = first; e < last; ++e) {
+      const std::span<Cut> of_edge(cuts.data() + begin[e], cuts.data() + end[e]);
+      end[e] = begin[e] + reduce(of_edge, edges.segments[e], edges.same);
+    }
+  });
+  Lists<Cut> result;
+  for (std::size_t e = 0; e < end.size(); ++e) {
+    result.push_back(std::span<const Cut>(cuts.data() + begin[e], cuts.data() + end[e]));
+  }
+  return result;
 }
 
 }  // namespace
 
 Lists<Cut> cut_edges(const Graph& graph, std::span<const Box> boxes, const Lists<EdgeId>& buckets,
                      double radius) {
-  const double same = kLeastRelativeRadius / 4 * largest_coordinate(graph.vertices);
-  const std::vector<SegmentD> segments = segments_of(graph);
-  Neighbours neighbours(boxes, buckets);
-  Lists<Cut> result;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const EdgeId e(i);
-    const SegmentD& edge = segments[e];
-    std::vector<Cut> cuts;
-    // An edge no longer than the radius will become a point: no place on it is worth a cut, and
-    // where it crosses another such edge some of their ends are near each other.
-    const bool vanishes = near(edge.a, edge.b, radius);
-    if (!vanishes) {
-      neighbours.for_each(e, [&](EdgeId other) {
-        const SegmentD& partner = segments[other];
-        const Meeting meeting =
-            e < other ? meet(edge, partner, radius) : meet(partner, edge, radius);
-        for (const Cut& cut : e < other ? meeting.on_first : meeting.on_second) {
-          if (cuts.empty() || !near(cuts.back().point, cut.point, same)) cuts.push_back(cut);
-        }
-      });
-    }
-    result.push_back(reduced(std::move(cuts), edge, same));
-  }
-  return result;
+  Edges edges{segments_of(graph), boxes, {}, radius,
+              kLeastRelativeRadius / 4 * largest_coordinate(graph.vertices)};
+  for (const SegmentD& s : edges.segments) edges.vanishes.push_back(near(s.a, s.b, radius));
+  const BucketPairs pairs(graph.edges.size(), buckets);
+  std::vector<std::vector<EdgeCut>> found(pairs.task_count());
+  for_blocks(found.size(), 1, [&](std::size_t task, std::size_t) {
+    found[task] = cuts_of(pairs.task(task), pairs, edges);
+  });
+  return gathered(found, edges);
 }
 
 }  // namespace plumbline::lar

@@ -5,16 +5,6 @@
 
 namespace plumbline::lar {
 
-double squared_distance(const PointD& p, const PointD& q) {
-  const double dx = p.x - q.x;
-  const double dy = p.y - q.y;
-  return dx * dx + dy * dy;
-}
-
-bool near(const PointD& p, const PointD& q, double radius) {
-  return squared_distance(p, q) <= radius * radius;
-}
-
 double largest_coordinate(std::span<const PointD> points) {
   double largest = 0;
   for (const PointD& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
