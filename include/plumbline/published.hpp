@@ -31,6 +31,8 @@ inline constexpr std::size_t kMaxLattice = 1000;
 struct Options {
   int decimals = kDecimals;
   double radius = kRadius;
+  /// At most so many (and 1024); 0: as many as there are cores. Does not change the result.
+  std::size_t threads = 0;
 };
 
 using VertexPair = std::array<VertexId, 2>;  ///< an edge; two equal vertices are a point

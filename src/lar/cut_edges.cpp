@@ -145,7 +145,10 @@ Lists<Cut> gathered(const std::vector<std::vector<EdgeCut>>& found, const Edges&
 
 Lists<Cut> cut_edges(const Graph& graph, std::span<const Box> boxes, const Lists<EdgeId>& buckets,
                      double radius) {
-  Edges edges{segments_of(graph), boxes, {}, radius,
+  Edges edges{segments_of(graph),
+              boxes,
+              {},
+              radius,
               kLeastRelativeRadius / 4 * largest_coordinate(graph.vertices)};
   for (const SegmentD& s : edges.segments) edges.vanishes.push_back(near(s.a, s.b, radius));
   const BucketPairs pairs(graph.edges.size(), buckets);

@@ -14,8 +14,8 @@ void on_threads(std::size_t threads, const std::function<void()>& work);
 inline constexpr std::size_t kMostThreads = 1024;
 
 /// Calls work(begin, end) for blocks of at most `size` indices below `count`, in parallel and in no
-/// order. Blocks do not depend on the number of threads. Requires: no work of two blocks on the same
-/// object.
+/// order. Blocks do not depend on the number of threads. Requires: no work of two blocks on the
+/// same object.
 template <class Work>
 void for_blocks(std::size_t count, std::size_t size, const Work& work) {
   const std::size_t blocks = (count + size - 1) / size;

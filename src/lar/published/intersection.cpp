@@ -1,15 +1,19 @@
 // Brute force intersection within the buckets, section 2.2, with the original's arithmetic: a
-// product with the reciprocal of the determinant, sums from left to right.
+// product with the reciprocal of the determinant, sums from left to right. In parallel, since what
+// the original adds to lists is made unique and sorted in the end.
 
 #include <algorithm>
 #include <optional>
 #include <string>
 
+#include "lar/parallel.hpp"
 #include "lar/published/hash_order.hpp"
 #include "lar/published/stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {
+
+constexpr std::size_t kLinesPerBlock = 64;
 
 struct Parameters {
   double alpha;
@@ -40,65 +44,98 @@ PointD point_at(const SegmentD& s, double parameter) {
   return {s.a.x + parameter * (s.b.x - s.a.x), s.a.y + parameter * (s.b.y - s.a.y)};
 }
 
+/// Distinct values; repeated ones take no room: in a pencil of n lines each is cut n times in one
+/// point.
 template <class T>
-void sort_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-/// The parameters of the segments, stored by their quantised text.
-class PointStorage {
+class Distinct {
  public:
-  PointStorage(std::span<const SegmentD> lines, const Vcode& vcode) : vcode_(vcode) {
-    for (const SegmentD& line : lines) {
-      const std::string key = '[' + vcode.text(line.a) + ',' + vcode.text(line.b) + ']';
-      const auto [fragment, is_new] = keys_.insert(key);
-      if (is_new) fragments_.push_back({vcode.quantised(line), {}});
-      fragment_of_.push_back(fragment);
+  void insert(const T& value) {
+    if (!values_.empty() && values_.back() == value) return;
+    if (values_.size() >= limit_) {
+      sort_unique();
+      limit_ = kRoom + 2 * values_.size();
     }
+    values_.push_back(value);
   }
-
-  void add(std::size_t line, double parameter) {
-    fragments_[fragment_of_[line]].parameters.push_back(parameter);
+  void insert(const Distinct& other) {
+    values_.insert(values_.end(), other.values_.begin(), other.values_.end());
   }
-
-  std::vector<Fragment> fragments() const {
-    std::vector<Fragment> result;
-    for (const std::size_t i : keys_.order()) {
-      Fragment fragment = fragments_[i];
-      for (double& parameter : fragment.parameters) parameter = vcode_.quantised(parameter);
-      sort_unique(fragment.parameters);
-      result.push_back(std::move(fragment));
-    }
-    return result;
+  /// Ascending.
+  std::vector<T> take() {
+    sort_unique();
+    return std::move(values_);
   }
 
  private:
-  const Vcode& vcode_;
-  HashTable<std::string> keys_;
-  std::vector<Fragment> fragments_;
-  std::vector<std::size_t> fragment_of_;  ///< per segment
+  static constexpr std::size_t kRoom = 64;
+
+  void sort_unique() {
+    std::sort(values_.begin(), values_.end());
+    values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
+  }
+
+  std::vector<T> values_;
+  std::size_t limit_ = kRoom;
 };
+
+/// What one segment's partners do to it.
+struct Cutting {
+  Distinct<double> parameters;  ///< quantised
+  Distinct<PointD> points;      ///< quantised
+};
+
+/// The original meets a pair twice, first h with k and then k with h, and cuts both segments each
+/// time; their parameters need not be the same.
+Cutting cut(std::size_t h, std::span<const SegmentD> lines, std::span<const Box> boxes,
+            std::span<const SegmentId> partners, const Vcode& vcode) {
+  Cutting result;
+  for (const SegmentId k : partners) {
+    if (is_apart(boxes[h], boxes[k])) continue;
+    if (const auto found = intersect(lines[h], lines[k])) {
+      result.parameters.insert(vcode.quantised(found->alpha));
+      result.points.insert(vcode.quantised(point_at(lines[h], found->alpha)));
+    }
+    if (const auto found = intersect(lines[k], lines[h])) {
+      result.parameters.insert(vcode.quantised(found->beta));
+    }
+  }
+  return result;
+}
+
+/// The distinct quantised segments, by their text, in the order of a dictionary.
+std::vector<Fragment> fragments_of(std::span<const SegmentD> lines, std::vector<Cutting> cuttings,
+                                   const Vcode& vcode) {
+  HashTable<std::string> keys;
+  std::vector<SegmentD> segments;
+  std::vector<Distinct<double>> parameters;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string key = '[' + vcode.text(lines[i].a) + ',' + vcode.text(lines[i].b) + ']';
+    const auto [fragment, is_new] = keys.insert(key);
+    if (is_new) {
+      segments.push_back(vcode.quantised(lines[i]));
+      parameters.push_back(std::move(cuttings[i].parameters));
+    } else {
+      parameters[fragment].insert(cuttings[i].parameters);
+    }
+  }
+  std::vector<Fragment> result;
+  for (const std::size_t i : keys.order()) result.push_back({segments[i], parameters[i].take()});
+  return result;
+}
 
 }  // namespace
 
 Intersections line_intersection(std::span<const SegmentD> lines, std::span<const Box> boxes,
                                 const Lists<SegmentId>& buckets, const Vcode& vcode) {
-  PointStorage storage(lines, vcode);
-  Intersections result;
-  for (std::size_t h = 0; h < lines.size(); ++h) {
-    for (const SegmentId k : buckets[h]) {
-      if (is_apart(boxes[h], boxes[k])) continue;
-      const std::optional<Parameters> found = intersect(lines[h], lines[k]);
-      if (!found) continue;
-      storage.add(h, found->alpha);
-      storage.add(k, found->beta);
-      result.points.push_back(vcode.quantised(point_at(lines[h], found->alpha)));
+  std::vector<Cutting> cuttings(lines.size());
+  for_blocks(lines.size(), kLinesPerBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t h = begin; h < end; ++h) {
+      cuttings[h] = cut(h, lines, boxes, buckets[h], vcode);
     }
-  }
-  sort_unique(result.points);
-  result.fragments = storage.fragments();
-  return result;
+  });
+  Distinct<PointD> points;
+  for (const Cutting& cutting : cuttings) points.insert(cutting.points);
+  return {points.take(), fragments_of(lines, std::move(cuttings), vcode)};
 }
 
 }  // namespace plumbline::lar::published

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "lar/parallel.hpp"
 #include "lar/published/stages.hpp"
 #include "plumbline/error.hpp"
 
@@ -125,6 +126,32 @@ void trace_faces_lattice(Trace& trace, const Vcode& vcode) {
           [&] { trace.faces_lattice = lattice_array(result.vertices, faces, vcode); });
 }
 
+void run_stages(Trace& trace) {
+  const Vcode vcode(trace.options.decimals);
+  trace.boxes = containment_boxes(trace.lines, vcode);
+  const bool in_buckets =
+      attempt(trace, "buckets", [&] { trace.buckets = box_buckets(trace.boxes); });
+  if (!in_buckets) return;
+  Intersections found = line_intersection(trace.lines, trace.boxes, trace.buckets, vcode);
+  trace.intersection_points = std::move(found.points);
+  trace.fragments = std::move(found.fragments);
+  Split pieces = split(trace.fragments, vcode);
+  trace.raw = std::move(pieces.model);
+  trace.raw_edge_count_with_duplicates = pieces.edge_count_with_duplicates;
+  trace.prune = prune_vertices(trace.raw.vertices, trace.options.radius);
+  trace.lar = simplify(trace.raw, trace.prune);
+  const bool has_components = attempt(trace, "components", [&] {
+    Biconnected biconnected = biconnected_components(trace.lar);
+    trace.components = std::move(biconnected.components);
+    trace.bridges = std::move(biconnected.bridges);
+  });
+  if (!has_components) return;
+  trace_faces(trace, vcode);
+  trace_boundaries(trace, vcode);
+  trace_components_lattice(trace, vcode);
+  trace_faces_lattice(trace, vcode);
+}
+
 }  // namespace
 
 void fail(const char* error, const char* message, const char* function) {
@@ -156,31 +183,9 @@ std::vector<SegmentD> lines_on_unit_square(const SegmentSet& input, int decimals
 Trace run(std::vector<SegmentD> lines, const Options& options) {
   check(options);
   Trace trace;
-  const Vcode vcode(options.decimals);
   trace.options = options;
   trace.lines = std::move(lines);
-  trace.boxes = containment_boxes(trace.lines, vcode);
-  const bool in_buckets =
-      attempt(trace, "buckets", [&] { trace.buckets = box_buckets(trace.boxes); });
-  if (!in_buckets) return trace;
-  Intersections found = line_intersection(trace.lines, trace.boxes, trace.buckets, vcode);
-  trace.intersection_points = std::move(found.points);
-  trace.fragments = std::move(found.fragments);
-  Split pieces = split(trace.fragments, vcode);
-  trace.raw = std::move(pieces.model);
-  trace.raw_edge_count_with_duplicates = pieces.edge_count_with_duplicates;
-  trace.prune = prune_vertices(trace.raw.vertices, options.radius);
-  trace.lar = simplify(trace.raw, trace.prune);
-  const bool has_components = attempt(trace, "components", [&] {
-    Biconnected biconnected = biconnected_components(trace.lar);
-    trace.components = std::move(biconnected.components);
-    trace.bridges = std::move(biconnected.bridges);
-  });
-  if (!has_components) return trace;
-  trace_faces(trace, vcode);
-  trace_boundaries(trace, vcode);
-  trace_components_lattice(trace, vcode);
-  trace_faces_lattice(trace, vcode);
+  on_threads(options.threads, [&] { run_stages(trace); });
   return trace;
 }
 

@@ -49,7 +49,8 @@ struct Intersections {
 /// Brute force within the buckets (segmentIntersect, lineBucketIntersect, lineIntersection): each
 /// pair twice, with unquantised coordinates; parameters compared exactly with 0 and 1 after a
 /// product with the reciprocal of the determinant (I3 to I5), parallel segments never cut (I1, I2),
-/// parameters quantised (I6, Q3). Fragments in the order of a dictionary. Section 2.2.
+/// parameters quantised (I6, Q3). Fragments in the order of a dictionary. Requires: where k is in
+/// the bucket of h, h is in that of k. Section 2.2.
 Intersections line_intersection(std::span<const SegmentD> lines, std::span<const Box> boxes,
                                 const Lists<SegmentId>& buckets, const Vcode& vcode);
 

@@ -8,6 +8,7 @@ namespace plumbline::lar::published {
 namespace {
 
 constexpr int kSignificantDigits = 12;  ///< of Python 2.7's str
+constexpr double kFirstInexact = 1e12;  ///< the least integer of more digits
 
 }  // namespace
 
@@ -26,6 +27,10 @@ std::string Vcode::text(double value) const {
 }
 
 double Vcode::quantised(double value) const {
+  // Up to 12 digits, the text is that of rounded / power_ in decimals, and the division, of two
+  // integers, gives the double nearest to that.
+  const double rounded = std::round(value * power_);
+  if (std::abs(rounded) < kFirstInexact) return rounded == 0 ? 0.0 : rounded / power_;
   const std::string digits = text(value);
   double result = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), result);
