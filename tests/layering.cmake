@@ -11,9 +11,12 @@ layer(number      error)
 layer(iterator)
 layer(source      iterator)
 layer(geometry    error number iterator source)
-layer(structure   error number geometry)
+layer(lists       error)
+layer(affine      error number geometry)                  # headers of src/structure
+layer(model       error number geometry affine lists)
+layer(structure   error number geometry affine model lists)
 layer(read        error number geometry structure)
-layer(complex     error number geometry boundary)
+layer(complex     error number geometry lists boundary)
 layer(boundary    error number geometry complex)         # a second header of src/complex
 layer(arrange     error number geometry structure read complex cgal)
 layer(cgal        error number geometry complex arrange) # plumbline/cgal.hpp and CGAL itself

@@ -7,6 +7,7 @@
 
 #include "plumbline/error.hpp"
 #include "plumbline/geometry.hpp"
+#include "plumbline/lists.hpp"
 
 namespace plumbline {
 
@@ -27,29 +28,6 @@ constexpr HalfedgeId halfedge(EdgeId e, bool reversed) {
 constexpr HalfedgeId twin(HalfedgeId h) { return HalfedgeId(static_cast<std::size_t>(h) ^ 1U); }
 constexpr EdgeId edge_of(HalfedgeId h) { return EdgeId(static_cast<std::size_t>(h) >> 1U); }
 constexpr bool is_reversed(HalfedgeId h) { return (static_cast<std::size_t>(h) & 1U) != 0; }
-
-/// A list of lists, stored flat.
-template <class T>
-class Lists {
- public:
-  std::size_t size() const { return begin_.size() - 1; }
-  std::span<const T> operator[](std::size_t i) const {
-    return {values_.data() + begin_[i], begin_[i + 1] - begin_[i]};
-  }
-  template <class Range>
-  void push_back(const Range& list) {
-    values_.insert(values_.end(), list.begin(), list.end());
-    ensure(values_.size() <= 0xffffffffU, "a list of lists holds less than 2^32 items");
-    begin_.push_back(static_cast<std::uint32_t>(values_.size()));
-  }
-  /// All lists one after the other.
-  std::span<const T> flat() const { return values_; }
-  friend bool operator==(const Lists&, const Lists&) = default;
-
- private:
-  std::vector<std::uint32_t> begin_{0};
-  std::vector<T> values_;
-};
 
 struct Edge {
   VertexId tail;  ///< lexicographically first

@@ -1,74 +1,30 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "plumbline/geometry.hpp"
+#include "plumbline/model.hpp"
 
 namespace plumbline {
-
-/// Exact affine map of the plane: (x, y) -> (a x + c y + e, b x + d y + f), the order of SVG's
-/// matrix(a b c d e f).
-struct Affine {
-  Rational a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
-
-  friend bool operator==(const Affine&, const Affine&) = default;
-};
-
-Point apply(const Affine& map, const Point& p);
-/// The map that applies `inner` first, then `outer`.
-Affine compose(const Affine& outer, const Affine& inner);
-Affine translation(const Rational& dx, const Rational& dy);
-Affine scaling(const Rational& sx, const Rational& sy);
-
-/// An affine map that stands for one whose entries are not rational. The bound is 0 where the map
-/// is exactly the one asked for.
-struct ApproximateAffine {
-  Affine map;
-  Rational bound;
-};
-
-/// Default bound on the angle by which `rotation` may deviate, in radians.
-inline constexpr double kAngleBound = 1e-15;
-
-/// Rotation about the origin by an angle in degrees (from +x towards +y). A multiple of 90 is
-/// exact. Any other angle is replaced by a rational rotation (((1-t^2)/(1+t^2), 2t/(1+t^2)) with
-/// rational t, so still an exact isometry) whose angle deviates by at most `bound` radians; the
-/// bound is in the result. The simplest such t within the bound is taken (a convergent of a
-/// continued fraction). Throws: Error BadInput for a bound that is not positive and finite; the
-/// same below.
-ApproximateAffine rotation(const Rational& degrees, double bound = kAngleBound);
-/// Skew along x (x += y tan(angle)), along y. Exact for angles with a rational tangent among the
-/// multiples of 45 degrees; else the tangent is replaced by a rational one within `bound`
-/// (absolute). Throws: Error BadInput for odd multiples of 90 degrees.
-ApproximateAffine skew_x(const Rational& degrees, double bound = kAngleBound);
-ApproximateAffine skew_y(const Rational& degrees, double bound = kAngleBound);
 
 using StructId = Index<struct StructTag>;
 
 /// Longest path that a Source holds, in bytes.
 inline constexpr std::size_t kMaxPathText = 1000;
 
-/// Segments of one drawing element, in the coordinates of the Struct that holds it; or of a table
-/// of rows, each an element of its own.
-struct Model {
-  /// Where a row begins.
-  struct Row {
-    std::uint32_t line = 0, column = 0;
-  };
-
-  Source source;  ///< its `path` is filled in by `evaluate`
-  SegmentList segments;
-  std::vector<Row> rows;  ///< empty, or per segment what replaces the source's line and column
-};
-
 /// LAR's Struct: an ordered body of models, affine maps and sub-structures. A map applies to all
 /// that follows it in the same body.
 struct Struct {
+  using Item = std::variant<Affine, Model, LarModel, StructId>;
+
   std::string name;
   std::string category;
-  std::vector<std::variant<Affine, Model, StructId>> body;
+  std::vector<Item> body;
+
+  friend bool operator==(const Struct&, const Struct&) = default;
 };
 
 /// A hierarchy of Structs, each stored once and referred to by index, with what its reader refused
@@ -81,19 +37,91 @@ struct Structure {
   std::vector<Replacement> ledger;
 };
 
-/// Largest size of one number, in bits, in a map that `evaluate` makes.
+/// The dimension that all models and maps of a structure have; 0 where there are none. Looks at
+/// what the root refers to. Throws: Error BadInput for a cycle of references, naming its path; for
+/// two items of different dimensions, naming both; for a StructId out of range, a Model with rows
+/// that are not as many as its segments, and what `check` finds in a LarModel. Cost: linear.
+std::size_t dimension(const Structure& structure);
+
+/// Largest size of one number, in bits, in a map that a Traversal makes.
 inline constexpr std::size_t kMaxMapBits = std::size_t{1} << 17U;
-/// Largest size of a result of `evaluate`, in 64-bit words of its numbers (an integer coordinate or
-/// a decimal of up to 19 digits counts 2); shared Structs count each time that they are visited.
+
+/// The models of a structure one by one, each as often as it is referred to, with the product of
+/// the maps above it: `for (Traversal t(structure); t.next();)`. Nothing is stored but the way from
+/// the root. No recursion: depth is limited by memory only. References to Structs without models
+/// are passed over. Source: larstruct 2015, 4.1.
+class Traversal {
+ public:
+  /// Keeps a reference to the structure. Throws: as `dimension`.
+  explicit Traversal(const Structure& structure);
+  ~Traversal();
+  Traversal(const Traversal&) = delete;
+  Traversal& operator=(const Traversal&) = delete;
+
+  /// Goes on to the next model; false at the end. Throws: Error Limit beyond kMaxMapBits, and where
+  /// the maps on the way take more than kMaxEvaluatedWords.
+  bool next();
+  /// The current model, a Model or a LarModel, and the Struct that holds it.
+  const Struct::Item& model() const;
+  StructId holder() const;
+  /// The product of the maps above the current model.
+  const Affine& map() const;
+  /// The names of the Structs above the current model, outermost first, joined by '/'; the root's
+  /// and empty ones left out; a path of more than kMaxPathText characters ends in "/...".
+  const std::string& path() const;
+
+ private:
+  class Walk;
+  std::unique_ptr<Walk> walk_;
+};
+
+/// Largest size of a result of `evaluate` or `struct_to_lar`, in 64-bit words of its numbers (an
+/// integer coordinate or a decimal of up to 19 digits counts 2); shared Structs count each time
+/// that they are visited.
 inline constexpr std::size_t kMaxEvaluatedWords = std::size_t{1} << 28U;
 
-/// All models of the structure in traversal order, mapped by the product of the maps above them,
-/// each with a Source of its own whose path is the names of the Structs above it (the root's and
-/// empty ones left out; a path of more than kMaxPathText characters ends in "/..."). **Exact**.
-/// Zero-length segments go to `rejected`. No recursion: depth is limited by memory only. Throws:
-/// Error BadInput for a cycle of references, naming its path, for a StructId out of range and
-/// for a Model with rows that are not as many as its segments; Limit beyond kMaxMapBits and
-/// `max_words`. Source: larstruct 2015, 4.1.
+/// The segments of all models of a structure in the plane, in traversal order, each model with a
+/// Source of its own whose path is that of the Traversal. A LarModel gives its `edges`. **Exact**.
+/// Zero-length segments and cells that can't be drawn go to `rejected`. Throws: as Traversal; Error
+/// BadInput for a structure of another dimension than 2; Limit beyond `max_words`.
 SegmentSet evaluate(const Structure& structure, std::size_t max_words = kMaxEvaluatedWords);
+
+/// How `struct_to_lar` identifies vertices and cells.
+struct ToLarOptions {
+  /// Vertices are the same when they are equal after rounding to this many decimals, half away from
+  /// zero, and get the rounded coordinates (`vcode`); else when they are equal.
+  std::optional<int> decimals;
+  /// Whether cells with equal sets of vertices are kept once, the first of them (larstruct since
+  /// November 2015), or each time.
+  bool merge_cells = false;
+};
+
+/// The whole structure as one model: vertices that cells use, in the order of first use; cells in
+/// traversal order, each with its vertices in the order given. First arrays go to the first array
+/// and so on, segments to the last; there are as many as the model with the most has. **Exact**
+/// unless decimals are given. Degenerate: the empty structure gives an empty model of dimension 2.
+/// Throws: as Traversal; Limit beyond `max_words`. Source: struct2lar (larstruct 2015, 3.1).
+LarModel struct_to_lar(const Structure& structure, const ToLarOptions& options = {},
+                       std::size_t max_words = kMaxEvaluatedWords);
+
+/// The least axis-parallel box, closed, `dimension` numbers each.
+struct Box {
+  std::vector<Number> low, high;
+
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+/// The box of all vertices of the structure, after all maps; none where there are none. **Exact**,
+/// under rotations too. Cost: each Struct is looked at once per different linear part of the maps
+/// above it. Throws: as `dimension`. Source: larstruct 2015, 2.4, which transforms only the corners
+/// of nested boxes.
+std::optional<Box> box(const Structure& structure);
+
+/// The structure reduced to what stands within Structs of the given category, maps kept.
+Structure filter(const Structure& structure, const std::string& category);
+
+/// All models and maps with k more dimensions, or -k fewer; Models become LarModels (V, EV).
+/// Throws: Error BadInput as the embedding of maps and models.
+Structure embed(const Structure& structure, int k);
 
 }  // namespace plumbline

@@ -1,5 +1,6 @@
 #include "read/svg_transform.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "plumbline/error.hpp"
@@ -83,13 +84,11 @@ Function take_function(Scanner& scanner, Numbers& numbers) {
 }
 
 bool is_small(const Affine& map) {
-  for (const Rational* entry : {&map.a, &map.b, &map.c, &map.d, &map.e, &map.f}) {
-    if (mpz_sizeinbase(entry->get_num_mpz_t(), 2) + mpz_sizeinbase(entry->get_den_mpz_t(), 2) >
-        kMaxMapBits) {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(map.entries().begin(), map.entries().end(), [](const Number& entry) {
+    const Rational value = entry.rational();
+    return mpz_sizeinbase(value.get_num_mpz_t(), 2) + mpz_sizeinbase(value.get_den_mpz_t(), 2) <=
+           kMaxMapBits;
+  });
 }
 
 }  // namespace

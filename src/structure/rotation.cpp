@@ -1,12 +1,12 @@
-// Rational stand-ins for rotations and skews, each with a proof of its bound.
+// Rational stand-ins for rotations by degrees and skews, each with a proof of its bound.
 
 #include <mpfr.h>
 
-#include <cmath>
 #include <utility>
 
+#include "plumbline/affine.hpp"
 #include "plumbline/error.hpp"
-#include "plumbline/structure.hpp"
+#include "structure/continued_fraction.hpp"
 
 namespace plumbline {
 namespace {
@@ -17,21 +17,8 @@ struct Enclosed {
   Rational error;
 };
 
-mpz_class floor(const Rational& x) {
-  mpz_class result;
-  mpz_fdiv_q(result.get_mpz_t(), x.get_num_mpz_t(), x.get_den_mpz_t());
-  return result;
-}
-
 /// The multiple of `step` nearest to x, in steps.
 mpz_class nearest_multiple(const Rational& x, int step) { return floor(x / step + Rational(1, 2)); }
-
-Rational checked_bound(double bound) {
-  if (!std::isfinite(bound) || bound <= 0) {
-    throw Error(ErrorCode::BadInput, "bound is not positive and finite", {}, shortest_text(bound));
-  }
-  return rational_from(bound);
-}
 
 /// tan (or cot) of an angle in degrees, 0 < degrees <= 45, computed with `precision` bits.
 Enclosed tangent_at(const Rational& degrees, bool cotangent, mpfr_prec_t precision) {
@@ -56,22 +43,6 @@ Enclosed tangent_at(const Rational& degrees, bool cotangent, mpfr_prec_t precisi
     mpq_mul_2exp(result.error.get_mpq_t(), result.error.get_mpq_t(), error_exponent);
   }
   return result;
-}
-
-/// The first convergent of the continued fraction of x that is no further from it than `bound`.
-Rational first_convergent(const Rational& x, const Rational& bound) {
-  mpz_class numerator = 1, denominator = 0, last_numerator = 0, last_denominator = 1;
-  Rational rest = x;
-  while (true) {  // ends at x itself at the latest
-    const mpz_class whole = floor(rest);
-    last_numerator += whole * numerator;
-    last_denominator += whole * denominator;
-    std::swap(numerator, last_numerator);
-    std::swap(denominator, last_denominator);
-    const Rational convergent(numerator, denominator);  // in lowest terms, as all convergents are
-    if (abs(convergent - x) <= bound) return convergent;
-    rest = 1 / (rest - whole);
-  }
 }
 
 /// The first convergent within `bound` of tan(degrees). Requires: 0 < |degrees| < 90.

@@ -9,7 +9,7 @@ inline plumbline::ExactComplex affine_image(plumbline::ExactComplex complex,
                                             const plumbline::Affine& map) {
   using namespace plumbline;
   for (Point& p : complex.vertices) p = apply(map, p);
-  if (map.a * map.d - map.b * map.c > 0) return canonical(complex);
+  if (map(0, 0) * map(1, 1) > map(0, 1) * map(1, 0)) return canonical(complex);
   Lists<HalfedgeId> cycles;
   for (std::size_t i = 0; i < complex.cycles.size(); ++i) {
     std::vector<HalfedgeId> cycle;

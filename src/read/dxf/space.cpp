@@ -137,7 +137,7 @@ class Assembly {
 
   void fill(const Part& part) {
     auto& layers = drawing_.spaces[part.space].layers;
-    std::vector<std::variant<Affine, Model, StructId>> body;
+    std::vector<Struct::Item> body;
     for (std::size_t i = 0; i < layers.size(); ++i) {
       if (part.space != 0 && layers[i].name == kLayerZero) {
         append_items(body, layers[i], part.without_zero);
@@ -159,8 +159,7 @@ class Assembly {
     return *id;
   }
 
-  void append_items(std::vector<std::variant<Affine, Model, StructId>>& body,
-                    Space::LayerItems& layer, bool without_zero) {
+  void append_items(std::vector<Struct::Item>& body, Space::LayerItems& layer, bool without_zero) {
     body.reserve(body.size() + layer.items.size());
     for (auto& item : layer.items) {
       if (const Reference* reference = reference_of(item)) {

@@ -1,0 +1,123 @@
+// One depth-first look at every Struct that the root refers to.
+
+#include "structure/check.hpp"
+
+#include <utility>
+
+#include "plumbline/error.hpp"
+
+namespace plumbline {
+namespace {
+
+std::string name_of(const Structure& structure, StructId id) {
+  const std::string& name = structure.structs[id].name;
+  return name.empty() ? "Struct " + std::to_string(id) : name;
+}
+
+class Check {
+ public:
+  explicit Check(const Structure& structure)
+      : structure_(structure), states_(structure.structs.size(), State::New) {
+    result_.holds_models.resize(structure.structs.size());
+  }
+
+  Checked run() && {
+    enter(structure_.root);
+    while (!frames_.empty()) {
+      Frame& frame = frames_.back();
+      const auto& body = structure_.structs[frame.id].body;
+      if (frame.next == body.size()) {
+        leave();
+      } else {
+        const std::size_t item = frame.next++;
+        look_at(body[item], frame.id, item);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  enum class State : unsigned char { New, Open, Done };
+  struct Frame {
+    StructId id;
+    std::size_t next;  ///< index into the body
+  };
+
+  void enter(StructId id) {
+    if (id >= structure_.structs.size()) {
+      throw Error(ErrorCode::BadInput, "reference to a Struct that does not exist");
+    }
+    if (states_[id] == State::Open) {
+      throw Error(ErrorCode::BadInput, "cycle of references", {}, cycle(id));
+    }
+    if (states_[id] == State::Done) return;
+    states_[id] = State::Open;
+    frames_.push_back({id, 0});
+  }
+
+  void leave() {
+    const StructId id = frames_.back().id;
+    states_[id] = State::Done;
+    frames_.pop_back();
+    if (frames_.empty() || !result_.holds_models[id]) return;
+    result_.holds_models[frames_.back().id] = true;
+  }
+
+  void look_at(const Struct::Item& item, StructId holder, std::size_t index) {
+    if (const auto* id = std::get_if<StructId>(&item)) {
+      enter(*id);
+      if (result_.holds_models[*id]) result_.holds_models[holder] = true;  // done before
+    } else if (const auto* map = std::get_if<Affine>(&item)) {
+      agree("map", map->dimension(), holder, index);
+    } else if (const auto* model = std::get_if<Model>(&item)) {
+      if (!model->rows.empty() && model->rows.size() != model->segments.size()) {
+        throw Error(ErrorCode::BadInput, "a Model with rows that are not as many as its segments");
+      }
+      agree("model", 2, holder, index);
+      result_.holds_models[holder] = true;
+    } else {
+      const auto& lar = std::get<LarModel>(item);
+      check(lar, structure_.files);
+      agree("model", lar.dimension, holder, index);
+      result_.holds_models[holder] = true;
+    }
+  }
+
+  void agree(const char* kind, std::size_t dimension, StructId holder, std::size_t index) {
+    const auto told = [&] {
+      return "a " + std::string(kind) + " of dimension " + std::to_string(dimension) + " (item " +
+             std::to_string(index + 1) + " of " + name_of(structure_, holder) + ")";
+    };
+    if (result_.dimension == 0) {
+      result_.dimension = dimension;
+      first_ = told();
+    } else if (result_.dimension != dimension) {
+      throw Error(ErrorCode::BadInput, "mixed dimensions: " + told() + " and " + first_);
+    }
+  }
+
+  /// The names from the first visit of `id` to the second.
+  std::string cycle(StructId id) const {
+    std::string names;
+    bool inside = false;
+    for (const Frame& frame : frames_) {
+      inside = inside || frame.id == id;
+      if (inside) names += name_of(structure_, frame.id) + "/";
+    }
+    return names + name_of(structure_, id);
+  }
+
+  const Structure& structure_;
+  std::vector<State> states_;
+  std::vector<Frame> frames_;
+  std::string first_;  ///< what gave the dimension
+  Checked result_;
+};
+
+}  // namespace
+
+Checked check(const Structure& structure) { return Check(structure).run(); }
+
+std::size_t dimension(const Structure& structure) { return check(structure).dimension; }
+
+}  // namespace plumbline

@@ -1,0 +1,110 @@
+// Walking a hierarchy with an explicit stack.
+
+#include <algorithm>
+#include <utility>
+
+#include "plumbline/error.hpp"
+#include "plumbline/structure.hpp"
+#include "structure/check.hpp"
+#include "structure/name_path.hpp"
+#include "structure/words.hpp"
+
+namespace plumbline {
+
+/// The way from the root to the current model.
+class Traversal::Walk {
+ public:
+  Walk(const Structure& structure, Checked checked)
+      : structure_(structure),
+        holds_models_(std::move(checked.holds_models)),
+        identity_(std::make_shared<const Affine>(std::max<std::size_t>(checked.dimension, 1))) {
+    if (holds_models_[structure.root]) frames_.push_back({structure.root, 0, identity_, 0});
+  }
+
+  bool next() {
+    while (!frames_.empty()) {
+      Frame& frame = frames_.back();
+      const auto& body = structure_.structs[frame.id].body;
+      if (frame.next == body.size()) {
+        leave();
+        continue;
+      }
+      const Struct::Item& item = body[frame.next++];
+      if (const auto* map = std::get_if<Affine>(&item)) {
+        compose_into(frame, *map);
+      } else if (const auto* id = std::get_if<StructId>(&item)) {
+        enter(*id, frame.map);
+      } else {
+        model_ = &item;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Struct::Item& model() const { return *model_; }
+  StructId holder() const { return frames_.back().id; }
+  const Affine& map() const { return *frames_.back().map; }
+  const std::string& path() const { return path_.text(); }
+
+ private:
+  using SharedMap = std::shared_ptr<const Affine>;  ///< shared down the stack
+
+  struct Frame {
+    StructId id;
+    std::size_t next;       ///< index into the body
+    SharedMap map;          ///< applies to what follows in the body
+    std::size_t words = 0;  ///< of the map, if it was made for this frame
+  };
+
+  void enter(StructId id, SharedMap map) {
+    if (!holds_models_[id]) return;
+    path_.push(structure_.structs[id].name);
+    frames_.push_back({id, 0, std::move(map), 0});
+  }
+
+  void leave() {
+    live_words_ -= frames_.back().words;
+    frames_.pop_back();
+    if (!frames_.empty()) path_.pop();
+  }
+
+  void compose_into(Frame& frame, const Affine& inner) {
+    Affine map = frame.map == identity_ ? inner : compose(*frame.map, inner);
+    live_words_ -= frame.words;
+    frame.words = 0;
+    for (const Number& entry : map.entries()) {
+      constexpr std::size_t kWordBits = GMP_NUMB_BITS;
+      if (words(entry) > kMaxMapBits / kWordBits) {
+        throw Error(ErrorCode::Limit, "nested maps make a number of more than " +
+                                          std::to_string(kMaxMapBits) + " bits");
+      }
+      frame.words += words(entry);
+    }
+    live_words_ += frame.words;
+    if (live_words_ > kMaxEvaluatedWords) {
+      throw Error(ErrorCode::Limit, "nested maps take too much memory");
+    }
+    frame.map = std::make_shared<const Affine>(std::move(map));
+  }
+
+  const Structure& structure_;
+  std::vector<bool> holds_models_;
+  SharedMap identity_;
+  std::vector<Frame> frames_;
+  const Struct::Item* model_ = nullptr;
+  std::size_t live_words_ = 0;  ///< of all maps on the way
+  NamePath path_;
+};
+
+Traversal::Traversal(const Structure& structure)
+    : walk_(std::make_unique<Walk>(structure, check(structure))) {}
+Traversal::~Traversal() = default;
+
+bool Traversal::next() { return walk_->next(); }
+const Struct::Item& Traversal::model() const { return walk_->model(); }
+StructId Traversal::holder() const { return walk_->holder(); }
+const Affine& Traversal::map() const { return walk_->map(); }
+const std::string& Traversal::path() const { return walk_->path(); }
+
+}  // namespace plumbline

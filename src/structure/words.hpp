@@ -1,0 +1,31 @@
+#pragma once
+
+#include "plumbline/error.hpp"
+#include "plumbline/number.hpp"
+
+namespace plumbline {
+
+/// Size of a number in 64-bit words; of a decimal one word each for mantissa and denominator.
+inline std::size_t words(const Number& x) {
+  if (x.is_decimal()) return x.mantissa() == 0 ? 1 : 2;
+  const Rational& value = x.rational();
+  return mpz_size(value.get_num_mpz_t()) + mpz_size(value.get_den_mpz_t());
+}
+
+/// What a result may still grow by.
+class WordBudget {
+ public:
+  explicit WordBudget(std::size_t words) : left_(words) {}
+
+  void spend(std::size_t words) {
+    if (words > left_) {
+      throw Error(ErrorCode::Limit, "the structure is too large when all references are followed");
+    }
+    left_ -= words;
+  }
+
+ private:
+  std::size_t left_;
+};
+
+}  // namespace plumbline
