@@ -35,6 +35,8 @@ struct Structure {
   StructId root;
   std::vector<Rejected> rejected;
   std::vector<Replacement> ledger;
+
+  friend bool operator==(const Structure&, const Structure&) = default;
 };
 
 /// The dimension that all models and maps of a structure have; 0 where there are none. Looks at
