@@ -52,8 +52,8 @@ leaves "an error leaves no output file" a.txt bad.svg
 
 svg '<line x2="1e99999999999"/><line x1="0" y1="0" x2="1" y2="1"/>' >a.svg
 expect "a monstrous number is rejected, the rest goes on" 0 '1 segments, 1 rejected' "$plumbline" arrange a.svg
-svg '<line x1="1" x2="1"/><circle r="3"/><line x2="4" y2="1"/>' >b.svg
-expect "what takes no part is listed with its line" 0 'circle.*line 2' "$plumbline" info b.svg
+svg '<line x1="1" x2="1"/><text x="3">t</text><line x2="4" y2="1"/>' >b.svg
+expect "what takes no part is listed with its line" 0 'text.*line 2' "$plumbline" info b.svg
 svg '' >empty.svg
 expect "an empty drawing is a drawing" 0 '0 vertices, 0 edges.*1 faces' "$plumbline" arrange empty.svg -o empty.json
 expect "an empty drawing checks" 0 'agree' "$plumbline" check empty.svg --picture empty-check.svg

@@ -29,14 +29,17 @@ struct ReadOptions {
 /// Limit (beyond kMaxFileSize; numbers or entities that grow beyond all measure).
 Structure read(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// SVG text as a Structure: `g`, `a` and nested `svg` become Structs named by their inkscape:label
-/// or id, their transforms Affines; `line`, `rect`, `polyline`, `polygon` and `path` with the
-/// commands M L H V Z become Models. Coordinates are user units of the root's viewBox, y downwards,
-/// as in the file. `rejected` lists by name and line every element that is not understood or not
-/// drawn in its place, every curved piece of a path, and what follows an error in path data.
-/// Neither interpreted nor listed: visibility, clipping, markers, style sheets, animation. Columns
-/// count bytes of UTF-8. No recursion: depth is limited by memory only. Throws: Error BadInput for
-/// malformed XML and a root other than `svg`; Limit.
+/// SVG text as a Structure. `g`, `a`, nested `svg`, `symbol` and `use` become Structs named by
+/// their inkscape:label or id, of their inkscape:groupmode as category; what a `use` refers to is
+/// stored once. Shapes become Models; curves are chords between exact points of the curve, as the
+/// ledger lists. Coordinates are user units of the root's viewBox, y downwards, as in the file: its
+/// width, height and transform, which map them to a page, are not applied. Transforms, viewports
+/// and units are exact, an inch being 96 user units. `rejected` lists by name and line every
+/// element that is not understood (text, image, ...), not drawn or not used, clipping viewports,
+/// and what follows an error in path data. Neither interpreted nor listed: clip-path, markers,
+/// style sheets that neither place nor hide, animation. Columns count bytes of UTF-8. No recursion:
+/// depth is limited by memory only. Throws: Error BadInput for malformed XML, a root other than
+/// `svg` and a cycle of references; Limit.
 Structure read_svg(std::string_view text, const std::string& file_name,
                    const ReadOptions& options = {});
 

@@ -1,6 +1,5 @@
 #include "read/attribute.hpp"
 
-#include "number/leading_decimal.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline {
@@ -40,8 +39,10 @@ Number Numbers::take(Scanner& scanner, const char* reason) {
   return value;
 }
 
+bool Scanner::at_blank() const { return is_blank(peek()); }
+
 void Scanner::skip_blanks() {
-  while (!at_end() && is_blank(text_[position_])) ++position_;
+  while (at_blank()) ++position_;
 }
 
 bool Scanner::skip_separator() {
@@ -72,24 +73,6 @@ std::string_view Scanner::number() const {
     if (exponent_end > exponent) end = exponent_end;
   }
   return text.substr(0, end);
-}
-
-Number parse_length(std::string_view text, Numbers& numbers) {
-  LeadingDecimal plain = leading_decimal(text);
-  if (plain.length == text.size() && !text.empty()) return std::move(plain.value);
-  Scanner scanner(text);
-  scanner.skip_blanks();
-  const std::string_view number = scanner.number();
-  scanner.advance_by(number.size());
-  const std::size_t unit_begin = scanner.position();
-  while (!scanner.at_end() && !is_blank(scanner.peek())) scanner.advance();
-  const std::string_view unit = scanner.since(unit_begin);
-  scanner.skip_blanks();
-  if (number.empty() || !scanner.at_end()) throw Unusable{"not a length", std::string(text)};
-  if (!unit.empty() && unit != "px") {
-    throw Unusable{"unit " + std::string(unit) + " is not understood yet", std::string(text)};
-  }
-  return numbers.parse(number);
 }
 
 }  // namespace plumbline

@@ -46,6 +46,7 @@ class Scanner {
   /// The next character; 0 at the end.
   char peek() const { return at_end() ? '\0' : text_[position_]; }
   void advance() { ++position_; }
+  bool at_blank() const;
   void skip_blanks();
   /// Skips blanks with at most one comma among them; whether there was one.
   bool skip_separator();
@@ -58,8 +59,5 @@ class Scanner {
   std::string_view text_;
   std::size_t position_ = 0;
 };
-
-/// A length in user units: a number, bare or with `px`. Throws: Unusable for anything else.
-Number parse_length(std::string_view text, Numbers& numbers);
 
 }  // namespace plumbline

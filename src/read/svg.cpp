@@ -1,90 +1,109 @@
-// SVG -> Structure: one walk over the elements, without recursion.
+// SVG -> Structure: one walk over the elements, through references too, without recursion.
 
-#include <algorithm>
-#include <initializer_list>
 #include <iterator>
 #include <optional>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "geometry/rejected.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/read.hpp"
 #include "read/svg_element.hpp"
+#include "read/svg_index.hpp"
 #include "read/svg_shape.hpp"
+#include "read/svg_style.hpp"
 #include "read/svg_transform.hpp"
+#include "read/svg_undrawn.hpp"
+#include "read/svg_viewport.hpp"
 #include "read/xml.hpp"
 #include "structure/name_path.hpp"
 
 namespace plumbline {
 namespace {
 
+/// What may be read again for references, in bytes of its text: percentages make an element anew
+/// for each viewport that it is used in.
+constexpr std::size_t kMaxTextReadAgain = std::size_t{1} << 24U;
+
 std::string_view attribute(const pugi::xml_node& element, const char* name) {
   return element.attribute(name).value();
 }
 
-/// The property of a style attribute that would change the geometry, or an empty text.
-std::string_view geometric_property(std::string_view style, std::string_view element_name) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const auto among = [](std::string_view name, std::initializer_list<std::string_view> names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  while (!style.empty()) {
-    const std::string_view declaration = style.substr(0, style.find(';'));
-    style.remove_prefix(std::min(declaration.size() + 1, style.size()));
-    std::string_view name = declaration.substr(0, declaration.find(':'));
-    name.remove_prefix(std::min(name.find_first_not_of(kBlanks), name.size()));
-    name = name.substr(0, name.find_last_not_of(kBlanks) + 1);
-    if (among(name, {"transform", "transform-origin", "translate", "rotate", "scale", "zoom"}) ||
-        (element_name == "rect" && among(name, {"x", "y", "width", "height", "rx", "ry"})) ||
-        (element_name == "svg" && among(name, {"x", "y"})) ||
-        (element_name == "path" && name == "d")) {
-      return name;
-    }
-  }
-  return {};
-}
-
-/// Throws: Unusable where something other than the attributes that are read places the element.
-void check_placement(const pugi::xml_node& element, std::string_view name) {
-  const std::string_view property = geometric_property(attribute(element, "style"), name);
-  if (!property.empty()) {
-    throw Unusable{"property " + std::string(property) + " of a style is not understood yet",
-                   std::string(attribute(element, "style"))};
-  }
-  if (element.attribute("transform") && element.attribute("transform-origin")) {
-    throw Unusable{"transform-origin is not understood yet",
-                   std::string(attribute(element, "transform-origin"))};
-  }
-}
-
 class SvgReader {
  public:
-  SvgReader(std::string_view text, const std::string& file_name) : document_(text, file_name) {
+  SvgReader(std::string_view text, const std::string& file_name, const ReadOptions& options)
+      : document_(text, file_name),
+        index_(document_.root()),
+        flattener_(options),
+        options_(options) {
     structure_.files = {file_name};
     structure_.root = StructId(0);
   }
 
   Structure read() && {
     const pugi::xml_node root = document_.root();
-    namespaces_.enter(root);
-    if (local_name(root) != "svg" || !namespaces_.is_svg(root)) {
+    if (local_name(root) != "svg" || !index_.is_svg(root)) {
       throw Error(ErrorCode::BadInput, "the root element is not svg", document_.place(root),
                   root.name());
     }
     structure_.structs.push_back(named_struct(root));
-    frames_.push_back({root, root.first_child(), structure_.root});
+    if (options_.visible_only && !is_displayed(root)) {
+      reject(root, {"hidden", "display: none"});
+      return std::move(structure_);
+    }
+    Frame frame = frame_of(root, structure_.root);
+    frame.visible = own_visibility(root).value_or(true);
+    frame.viewport = viewport_of_root(root);
+    push(std::move(frame));
     list_what_root_adds(root);
     while (!frames_.empty()) step();
+    for (const auto& [element, path] : undrawn_.unused()) {
+      reject(element, path, {"not drawn directly", {}});
+    }
     return std::move(structure_);
   }
 
  private:
-  /// A container whose children are being visited.
+  /// A container whose children are being visited, or a `use` whose target is.
   struct Frame {
     pugi::xml_node element;
-    pugi::xml_node next;  ///< child
+    pugi::xml_node next;    ///< child
+    pugi::xml_node target;  ///< what a `use` refers to, until it is visited
+    SvgExtents given;       ///< by the `use`, to its target
     StructId id;
+    SvgViewport viewport;
+    bool visible = true;
+    bool again = false;  ///< whether this was read before
   };
+
+  static Frame frame_of(const pugi::xml_node& element, StructId id) {
+    Frame frame;
+    frame.element = element;
+    frame.next = element.first_child();
+    frame.id = id;
+    return frame;
+  }
+
+  void push(Frame frame) {
+    open_.insert(frame.element.internal_object());
+    frames_.push_back(std::move(frame));
+  }
+
+  void pop() {
+    open_.erase(frames_.back().element.internal_object());
+    frames_.pop_back();
+    if (!frames_.empty()) path_.pop();
+  }
+
+  SvgViewport viewport_of_root(const pugi::xml_node& root) {
+    try {
+      return root_viewport(root, numbers_);
+    } catch (const Unusable& problem) {
+      reject(root, problem);
+      return {};
+    }
+  }
 
   /// Coordinates are user units of the root's viewBox. What maps them to a page from outside is
   /// listed.
@@ -101,69 +120,153 @@ class SvgReader {
 
   void step() {
     Frame& frame = frames_.back();
+    if (const pugi::xml_node target = std::exchange(frame.target, {})) {
+      visit(target, frame.given);
+      return;
+    }
     if (!frame.next) {
-      namespaces_.leave();
-      frames_.pop_back();
-      if (!frames_.empty()) path_.pop();
+      pop();
       return;
     }
     const pugi::xml_node child = frame.next;
     frame.next = child.next_sibling();
-    if (child.type() == pugi::node_element) visit(child);
+    if (child.type() == pugi::node_element) visit(child, {});
   }
 
-  void visit(const pugi::xml_node& element) {
-    namespaces_.enter(element);
-    const std::size_t depth = frames_.size();
+  void visit(const pugi::xml_node& element, const SvgExtents& given) {
+    const bool is_target = local_name(frames_.back().element) == "use";
     const std::string_view name = local_name(element);
-    const SvgKind kind = namespaces_.is_svg(element) ? svg_kind(name) : SvgKind::Undrawn;
+    SvgKind kind = index_.is_svg(element) ? svg_kind(name) : SvgKind::Undrawn;
+    if (is_target && kind == SvgKind::Undrawn && name == "symbol") kind = SvgKind::Container;
     try {
-      if (kind == SvgKind::Container) open(element, name);
-      if (kind == SvgKind::Shape) add_shape(element, name);
-      if (kind == SvgKind::Undrawn) pass_over(element);
+      if (kind == SvgKind::Undrawn && is_target) {
+        throw Unusable{"use of an element that is not drawn", {}};
+      }
+      if (kind == SvgKind::Undrawn) return pass_over(element);
+      const bool visible = own_visibility(element).value_or(frames_.back().visible);
+      check_hidden(element, kind, visible);
       if (kind == SvgKind::Unknown) {
         throw Unusable{"element " + std::string(name) + " is not understood yet", {}};
+      }
+      if (is_target) undrawn_.used(element);
+      StructId* const known =
+          index_.is_referenced(element) ? &made(element, given, visible) : nullptr;
+      if (known != nullptr && known->valid()) {
+        structure_.structs[frames_.back().id].body.emplace_back(*known);
+        return;
+      }
+      const bool again = frames_.back().again ||
+                         (known != nullptr && !read_.insert(element.internal_object()).second);
+      if (again) spend(element);
+      if (kind == SvgKind::Container) {
+        const StructId id = open(element, name, given, visible);
+        frames_.back().again = again;
+        if (known != nullptr) *known = id;
+      } else if (const auto id = add_shape(element, name, known != nullptr)) {
+        if (known != nullptr) *known = *id;
       }
     } catch (const Unusable& problem) {
       reject(element, problem);
     }
-    if (frames_.size() == depth) namespaces_.leave();
   }
 
-  void open(const pugi::xml_node& element, std::string_view name) {
-    const auto transform = transform_of(element, name);
-    Struct child = named_struct(element);
-    if (name == "svg") child.body.emplace_back(viewport_of(element));
-    if (transform) {
-      child.body.emplace_back(transform->map);
-      record(element, *transform);
+  /// Throws: Unusable for what is hidden, where that counts.
+  void check_hidden(const pugi::xml_node& element, SvgKind kind, bool visible) const {
+    if (!options_.visible_only) return;
+    if (!is_displayed(element)) throw Unusable{"hidden", "display: none"};
+    if (!visible && (kind == SvgKind::Shape || kind == SvgKind::Unknown)) {
+      throw Unusable{"hidden", "visibility: hidden"};
     }
-    path_.push(child.name);
-    frames_.push_back({element, element.first_child(), append(std::move(child))});
   }
 
-  void add_shape(const pugi::xml_node& element, std::string_view name) {
+  /// The Struct made of a referenced element before, where everything was the same that it depends
+  /// on; else an invalid one, to be set.
+  StructId& made(const pugi::xml_node& element, const SvgExtents& given, bool visible) {
+    const auto text_of = [](const std::optional<Rational>& extent) {
+      return extent ? extent->get_str() : std::string();
+    };
+    const SvgViewport& around = frames_.back().viewport;
+    std::string key = std::to_string(element.offset_debug()) + ' ' + text_of(around.width) + ' ' +
+                      text_of(around.height) + ' ' + (visible ? "1 " : "0 ");
+    key.append(given.width).append(" ").append(given.height);
+    return made_[std::move(key)];
+  }
+
+  /// Starts on the children of a container, or on the target of a `use`.
+  StructId open(const pugi::xml_node& element, std::string_view name, const SvgExtents& given,
+                bool visible) {
     const auto transform = transform_of(element, name);
-    Pieces pieces = parse_shape(element, name, numbers_);
+    Frame frame = frame_of(element, {});
+    frame.visible = visible;
+    frame.viewport = frames_.back().viewport;
+    Struct child = named_struct(element);
+    if (transform) child.body.emplace_back(transform->map);
+    if (name == "use") {
+      frame.next = {};
+      frame.target = target_of(element);
+      frame.given = {attribute(element, "width"), attribute(element, "height")};
+      const auto& [width, height] = frame.viewport;
+      child.body.emplace_back(
+          translation(length_attribute(element, "x", width, numbers_).rational(),
+                      length_attribute(element, "y", height, numbers_).rational()));
+    }
+    if (name == "svg" || name == "symbol") {
+      SvgPlacement placement = place_viewport(element, given, frame.viewport, numbers_);
+      if (placement.clips) reject(element, {"clipping by a viewport is not applied", {}});
+      child.body.emplace_back(std::move(placement.map));
+      frame.viewport = std::move(placement.inside);
+    }
+    if (transform) record(element, transform->replaced);
+    path_.push(child.name);
+    frame.id = append(std::move(child));
+    const StructId id = frame.id;
+    push(std::move(frame));
+    return id;
+  }
+
+  /// Throws: Unusable; Error for a cycle.
+  pugi::xml_node target_of(const pugi::xml_node& use) const {
+    const std::string reference(svg_reference(use));
+    if (reference.empty()) throw Unusable{"use without a reference", {}};
+    if (reference.front() != '#') throw Unusable{"use of another file", reference};
+    const pugi::xml_node target = index_.find(reference.substr(1));
+    if (!target) throw Unusable{"use of an element that does not exist", reference};
+    if (open_.count(target.internal_object()) != 0 || target == use) {
+      const std::string path = path_.text().empty() ? "" : path_.text() + "/";
+      throw Error(ErrorCode::BadInput, "cycle of references", document_.place(use),
+                  path + reference);
+    }
+    return target;
+  }
+
+  /// The Struct of its own that a shape gets where it needs one.
+  std::optional<StructId> add_shape(const pugi::xml_node& element, std::string_view name,
+                                    bool is_referenced) {
+    const auto transform = transform_of(element, name);
+    Pieces pieces = parse_shape(element, name, frames_.back().viewport,
+                                {numbers_, flattener_, options_.angle_bound});
     for (const Unusable& problem : pieces.refused) reject(element, problem);
     for (const auto& child : element.children()) {
       if (child.type() == pugi::node_element) pass_over(child);
     }
-    if (pieces.segments.empty()) return;
+    if (transform && !pieces.segments.empty()) record(element, transform->replaced);
+    record(element, pieces.replaced);
     Model model{source_of(element), std::move(pieces.segments), {}};
-    if (!transform) {
-      structure_.structs[frames_.back().id].body.emplace_back(std::move(model));
-      return;
+    if (!transform && !is_referenced) {
+      if (!model.segments.empty()) {
+        structure_.structs[frames_.back().id].body.emplace_back(std::move(model));
+      }
+      return std::nullopt;
     }
-    record(element, *transform);
     Struct own;  // keeps the map from what follows
-    own.body.emplace_back(transform->map);
-    own.body.emplace_back(std::move(model));
-    append(std::move(own));
+    own.body.reserve(2);
+    if (transform) own.body.emplace_back(transform->map);
+    if (!model.segments.empty()) own.body.emplace_back(std::move(model));
+    return append(std::move(own));
   }
 
   void pass_over(const pugi::xml_node& element) {
-    if (holds_drawing(element)) reject(element, {"not drawn directly", {}});
+    undrawn_.add(element, path_.text());
     if (local_name(element) != "style") return;
     const std::string_view sheet = element.child_value();
     for (const char* word : {"transform", "display", "visibility"}) {
@@ -178,26 +281,7 @@ class SvgReader {
   std::optional<SvgTransform> transform_of(const pugi::xml_node& element, std::string_view name) {
     check_placement(element, name);
     if (!element.attribute("transform")) return std::nullopt;
-    return parse_transform(attribute(element, "transform"), numbers_);
-  }
-
-  /// The map of a nested svg's own coordinates.
-  Affine viewport_of(const pugi::xml_node& element) {
-    for (const char* name : {"viewBox", "transform"}) {
-      if (element.attribute(name)) {
-        throw Unusable{std::string(name) + " of a nested svg is not understood yet",
-                       std::string(attribute(element, name))};
-      }
-    }
-    const std::string_view width = attribute(element, "width");
-    const std::string_view height = attribute(element, "height");
-    const auto clips = [](std::string_view extent) { return !extent.empty() && extent != "100%"; };
-    if ((clips(width) || clips(height)) && attribute(element, "overflow") != "visible") {
-      reject(element, {"clipping by a nested svg is not understood yet",
-                       std::string(width) + " " + std::string(height)});
-    }
-    return translation(length_attribute(element, "x", numbers_).rational(),
-                       length_attribute(element, "y", numbers_).rational());
+    return parse_transform(attribute(element, "transform"), numbers_, options_.angle_bound);
   }
 
   /// Adds a Struct and a reference to it at the end of the current one.
@@ -221,41 +305,61 @@ class SvgReader {
     return result;
   }
 
+  void spend(const pugi::xml_node& element) {
+    constexpr std::size_t kElement = 64;
+    text_read_again_ +=
+        kElement + attribute(element, "d").size() + attribute(element, "points").size();
+    if (text_read_again_ <= kMaxTextReadAgain) return;
+    throw Error(ErrorCode::Limit, "too much is used in too many viewports",
+                document_.place(element));
+  }
+
   Source source_of(const pugi::xml_node& element) const {
     const Place place = document_.place(element);
     return {0, place.line, place.column, element.name(), std::string(attribute(element, "id")), {}};
   }
 
-  Source source_with_path(const pugi::xml_node& element) const {
+  Source source_with_path(const pugi::xml_node& element, const std::string& path) const {
     Source source = source_of(element);
-    source.path = path_.text();
+    source.path = path;
     return source;
   }
 
-  void record(const pugi::xml_node& element, const SvgTransform& transform) {
-    for (const Replacement& replaced : transform.replaced) {
-      structure_.ledger.push_back({source_with_path(element), replaced.what, replaced.bound});
+  void record(const pugi::xml_node& element, const std::vector<Replacement>& replacements) {
+    for (const Replacement& replaced : replacements) {
+      structure_.ledger.push_back(
+          {source_with_path(element, path_.text()), replaced.what, replaced.bound});
     }
   }
 
   void reject(const pugi::xml_node& element, const Unusable& problem) {
+    reject(element, path_.text(), problem);
+  }
+  void reject(const pugi::xml_node& element, const std::string& path, const Unusable& problem) {
     structure_.rejected.push_back(
-        make_rejected(source_with_path(element), problem.reason, problem.text));
+        make_rejected(source_with_path(element, path), problem.reason, problem.text));
   }
 
   XmlDocument document_;
+  SvgIndex index_;
+  Numbers numbers_;
+  Flattener flattener_;
+  const ReadOptions& options_;
   Structure structure_;
   std::vector<Frame> frames_;
-  Namespaces namespaces_;
+  std::unordered_set<const void*> open_;  ///< the frames' elements
   NamePath path_;
-  Numbers numbers_;
+  std::unordered_map<std::string, StructId> made_;
+  SvgUndrawn undrawn_;
+  std::unordered_set<const void*> read_;  ///< referenced elements
+  std::size_t text_read_again_ = 0;
 };
 
 }  // namespace
 
 Structure read_svg(std::string_view text, const std::string& file_name,
-                   const ReadOptions& /*options*/) {
-  return SvgReader(text, file_name).read();
+                   const ReadOptions& options) {
+  return SvgReader(text, file_name, options).read();
 }
 
 }  // namespace plumbline

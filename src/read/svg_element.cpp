@@ -12,10 +12,10 @@ namespace {
 using Names = std::string_view;
 
 constexpr Names kSvgNamespace = "http://www.w3.org/2000/svg";
-constexpr std::array<Names, 3> kContainers{"g", "a", "svg"};
-constexpr std::array<Names, 5> kShapes{"line", "rect", "polyline", "polygon", "path"};
-constexpr std::array<Names, 6> kOtherDrawn{"circle", "ellipse", "text",
-                                           "image",  "use",     "foreignObject"};
+constexpr std::array<Names, 4> kContainers{"g", "a", "svg", "use"};
+constexpr std::array<Names, 7> kShapes{"line",     "rect",    "circle", "ellipse",
+                                       "polyline", "polygon", "path"};
+constexpr std::array<Names, 4> kOtherDrawn{"use", "text", "image", "foreignObject"};
 // clang-format off
 constexpr std::array<Names, 31> kUndrawn{
     "defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",

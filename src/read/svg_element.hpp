@@ -10,8 +10,8 @@ namespace plumbline {
 
 /// What the reader does with an element.
 enum class SvgKind {
-  Container,  ///< g, a, svg
-  Shape,      ///< line, rect, polyline, polygon, path
+  Container,  ///< g, a, svg, use
+  Shape,      ///< line, rect, circle, ellipse, polyline, polygon, path
   Undrawn,  ///< never drawn in its place: defs, clipPath, title, another vocabulary's element, ...
   Unknown,  ///< drawn, but not understood yet
 };

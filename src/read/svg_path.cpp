@@ -45,16 +45,17 @@ std::optional<std::size_t> argument_count(char command) {
 
 class PathParser {
  public:
-  PathParser(std::string_view data, Numbers& numbers) : scanner_(data), numbers_(numbers) {}
+  PathParser(std::string_view data, Numbers& numbers, SvgPen pen)
+      : scanner_(data), numbers_(numbers), pen_(std::move(pen)) {}
 
   Pieces parse() && {
     try {
       scanner_.skip_blanks();
       while (!scanner_.at_end()) take_command();
     } catch (const Unusable& problem) {
-      pieces_.refused.push_back(refused_rest(problem, scanner_, piece_begin_));
+      pen_.refuse(refused_rest(problem, scanner_, piece_begin_));
     }
-    return std::move(pieces_);
+    return std::move(pen_).finish();
   }
 
  private:
@@ -70,12 +71,14 @@ class PathParser {
     scanner_.advance();
     scanner_.skip_blanks();
     if (*count == 0) {
-      close();
+      pen_.close();
+      drawn_ = 'Z';
       return;
     }
     do {
       take_arguments(command, *count);
       draw(command);
+      drawn_ = upper(command);
       if (command == 'M') command = 'L';  // further pairs are lines
       if (command == 'm') command = 'l';
     } while (more_arguments());
@@ -107,72 +110,100 @@ class PathParser {
 
   void draw(char command) {
     const bool relative = command != upper(command);
-    const std::size_t count = *argument_count(command);
-    NumberPoint end = current_;
-    if (upper(command) == 'V') {
-      move(end.y, arguments_[0], relative);
-    } else if (upper(command) == 'H') {
-      move(end.x, arguments_[0], relative);
-    } else {
-      move(end.x, arguments_[count - 2], relative);
-      move(end.y, arguments_[count - 1], relative);
-    }
     switch (upper(command)) {
       case 'M':
-        start_ = current_ = std::move(end);
+        pen_.move_to(point(0, relative));
         break;
       case 'L':
+        pen_.line_to(point(0, relative));
+        break;
       case 'H':
+        pen_.line_to({coordinate(pen_.position().x, 0, relative), pen_.position().y});
+        break;
       case 'V':
-        line_to(std::move(end));
+        pen_.line_to({pen_.position().x, coordinate(pen_.position().y, 0, relative)});
         break;
       case 'A':
-        // An arc without radius is a line (SVG 1.1, F.6.2).
-        if (sgn(arguments_[0]) == 0 || sgn(arguments_[1]) == 0) {
-          line_to(std::move(end));
-          break;
-        }
-        [[fallthrough]];
+        draw_arc(command, point(kMostArguments - 2, relative));
+        break;
       default:
-        refuse_curve(command);
-        current_ = std::move(end);
+        draw_bezier(command, relative);
     }
   }
 
-  static void move(Number& coordinate, const Number& argument, bool relative) {
-    coordinate = relative ? coordinate + argument : argument;
+  void draw_bezier(char command, bool relative) {
+    const char kind = upper(command);
+    std::vector<NumberPoint> controls;
+    if (kind == 'S') controls.push_back(reflected(drawn_ == 'C' || drawn_ == 'S'));
+    if (kind == 'T') controls.push_back(reflected(drawn_ == 'Q' || drawn_ == 'T'));
+    const std::size_t count = *argument_count(command);
+    for (std::size_t i = 0; i < count; i += 2) controls.push_back(point(i, relative));
+    last_control_ = controls[controls.size() - 2];
+    draw_curve(command, controls.back(),
+               [&](const std::string& what) { pen_.curve_to(controls, what); });
   }
 
-  void line_to(NumberPoint end) {
-    pieces_.segments.push_back(std::move(current_), end);
-    current_ = std::move(end);
+  void draw_arc(char command, NumberPoint end) {
+    const NumberPoint& from = pen_.position();
+    if (end == from) return;  // the arc is left out (SVG 1.1, F.6.2)
+    // An arc without radius is a line (the same).
+    if (sgn(arguments_[0]) == 0 || sgn(arguments_[1]) == 0) {
+      pen_.line_to(std::move(end));
+      return;
+    }
+    const SvgArc arc{{from.x.rational(), from.y.rational()},
+                     {end.x.rational(), end.y.rational()},
+                     arguments_[0].rational(),
+                     arguments_[1].rational(),
+                     arguments_[2].rational(),
+                     sgn(arguments_[3]) != 0,
+                     sgn(arguments_[4]) != 0};
+    draw_curve(command, end, [&](const std::string& what) { pen_.arc_to(arc, what); });
   }
 
-  void close() {
-    if (!(current_ == start_)) line_to(start_);
+  /// Draws, or refuses the piece and goes on from its end.
+  template <class Draw>
+  void draw_curve(char command, const NumberPoint& end, Draw draw) {
+    try {
+      draw(std::string("curve ") + upper(command));
+    } catch (const Unusable& problem) {
+      std::string text(scanner_.since(piece_begin_).substr(0, kKeptText));
+      if (text.front() != command) text.insert(0, {command, ' '});
+      pen_.refuse({problem.reason, std::move(text)});
+      pen_.jump_to(end);
+    }
   }
 
-  void refuse_curve(char command) {
-    std::string text(scanner_.since(piece_begin_));
-    if (text.front() != command) text.insert(0, {command, ' '});
-    pieces_.refused.push_back(
-        {"command " + std::string(1, command) + " is not understood yet", std::move(text)});
+  /// The last control point mirrored at the current point, which it is itself where there was none.
+  NumberPoint reflected(bool has_control) const {
+    const NumberPoint& p = pen_.position();
+    if (!has_control) return p;
+    return {p.x + p.x - last_control_.x, p.y + p.y - last_control_.y};
+  }
+
+  NumberPoint point(std::size_t i, bool relative) const {
+    return {coordinate(pen_.position().x, i, relative),
+            coordinate(pen_.position().y, i + 1, relative)};
+  }
+
+  Number coordinate(const Number& current, std::size_t i, bool relative) const {
+    return relative ? current + arguments_[i] : arguments_[i];
   }
 
   Scanner scanner_;
   Numbers& numbers_;
-  Pieces pieces_;
+  SvgPen pen_;
   bool started_ = false;
+  char drawn_ = 'M';  ///< the last command, absolute
+  NumberPoint last_control_;
   std::size_t piece_begin_ = 0;  ///< of the command or, for repeated ones, of its arguments
   std::array<Number, kMostArguments> arguments_;
-  NumberPoint current_;
-  NumberPoint start_;  ///< of the subpath
 };
 
 }  // namespace
 
-Pieces parse_path(std::string_view data, Numbers& numbers) {
-  return PathParser(data, numbers).parse();
+Pieces parse_path(std::string_view data, Numbers& numbers, SvgPen pen) {
+  return PathParser(data, numbers, std::move(pen)).parse();
 }
 
 Pieces parse_points(std::string_view points, bool closed, Numbers& numbers) {

@@ -26,8 +26,8 @@ struct Function {
 
 ApproximateAffine exactly(Affine map) { return {std::move(map), 0}; }
 
-ApproximateAffine rotation_about(const Arguments& a) {
-  ApproximateAffine turned = rotation(a[0]);
+ApproximateAffine rotation_about(const Arguments& a, double bound) {
+  ApproximateAffine turned = rotation(a[0], bound);
   if (a.size() == 3) {
     turned.map = compose(translation(a[1], a[2]), compose(turned.map, translation(-a[1], -a[2])));
   }
@@ -35,16 +35,17 @@ ApproximateAffine rotation_about(const Arguments& a) {
 }
 
 /// Throws: Unusable, Error BadInput (a skew by a right angle).
-ApproximateAffine map_of(std::string_view name, const Arguments& a, const std::string& text) {
+ApproximateAffine map_of(std::string_view name, const Arguments& a, const std::string& text,
+                         double bound) {
   const std::size_t count = a.size();
   if (name == "matrix" && count == 6) return exactly({a[0], a[1], a[2], a[3], a[4], a[5]});
   if (name == "translate" && count == 1) return exactly(translation(a[0], 0));
   if (name == "translate" && count == 2) return exactly(translation(a[0], a[1]));
   if (name == "scale" && count == 1) return exactly(scaling(a[0], a[0]));
   if (name == "scale" && count == 2) return exactly(scaling(a[0], a[1]));
-  if (name == "rotate" && (count == 1 || count == 3)) return rotation_about(a);
-  if (name == "skewX" && count == 1) return skew_x(a[0]);
-  if (name == "skewY" && count == 1) return skew_y(a[0]);
+  if (name == "rotate" && (count == 1 || count == 3)) return rotation_about(a, bound);
+  if (name == "skewX" && count == 1) return skew_x(a[0], bound);
+  if (name == "skewY" && count == 1) return skew_y(a[0], bound);
   for (const char* known : {"matrix", "translate", "scale", "rotate", "skewX", "skewY"}) {
     if (name == known) throw Unusable{"wrong number of arguments in transform", text};
   }
@@ -64,7 +65,7 @@ Arguments take_arguments(Scanner& scanner, Numbers& numbers) {
   return arguments;
 }
 
-Function take_function(Scanner& scanner, Numbers& numbers) {
+Function take_function(Scanner& scanner, Numbers& numbers, double bound) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const std::size_t begin = scanner.position();
   while (is_letter(scanner.peek())) scanner.advance();
@@ -76,7 +77,7 @@ Function take_function(Scanner& scanner, Numbers& numbers) {
   Function function{
       std::string(scanner.since(begin)), {}, name == "rotate" ? " rad" : " (tangent)"};
   try {
-    function.result = map_of(name, arguments, function.text);
+    function.result = map_of(name, arguments, function.text, bound);
   } catch (const Error& error) {
     throw Unusable{error.message(), function.text};
   }
@@ -93,13 +94,13 @@ bool is_small(const Affine& map) {
 
 }  // namespace
 
-SvgTransform parse_transform(std::string_view text, Numbers& numbers) {
+SvgTransform parse_transform(std::string_view text, Numbers& numbers, double bound) {
   SvgTransform transform;
   Scanner scanner(text);
   scanner.skip_blanks();
   bool comma = false;
   for (std::size_t count = 1; !scanner.at_end(); ++count) {
-    const Function function = take_function(scanner, numbers);
+    const Function function = take_function(scanner, numbers, bound);
     transform.map = count == 1 ? function.result.map : compose(transform.map, function.result.map);
     if (count > kMaxFunctions || !is_small(transform.map)) {
       throw Unusable{"the product of the transform is too large", std::string(text)};

@@ -17,7 +17,8 @@ struct SvgTransform {
 
 /// The product of the functions of a transform list: the rightmost is applied first. **Exact** but
 /// for what `replaced` lists. Throws: Unusable for a malformed list, a function with the wrong
-/// number of arguments and one that is not in SVG 1.1. Source: SVG 1.1, 7.6.
-SvgTransform parse_transform(std::string_view text, Numbers& numbers);
+/// number of arguments and one that is not in SVG 1.1; Error as `rotation` does for the bound.
+/// Source: SVG 1.1, 7.6.
+SvgTransform parse_transform(std::string_view text, Numbers& numbers, double bound);
 
 }  // namespace plumbline
