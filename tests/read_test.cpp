@@ -112,10 +112,39 @@ TEST_CASE("a file is read by its ending, in either case") {
   const Scratch scratch;
   CHECK(evaluate(read(scratch.file("a.SVG", "<svg><line x2='1'/></svg>"))).segments.size() == 1);
   CHECK(evaluate(read(scratch.file("a.Lines", "0,0,1,1"))).segments.size() == 1);
+  for (const auto& [name, content] :
+       {std::pair("a.CSV", "0,0,1,1\n"), std::pair("a.wkt", "LINESTRING (0 0, 1 1)"),
+        std::pair("a.wkb", "000000000200000000"),
+        std::pair("a.GeoJSON", R"({"type": "MultiPoint", "coordinates": []})")}) {
+    CHECK_NOTHROW(evaluate(read(scratch.file(name, content))));
+  }
   const auto error = error_of(scratch.file("a.dwg", ""));
   CHECK(error.code() == plumbline::ErrorCode::BadInput);
-  CHECK(error.message() == "unknown file name ending; known are .svg, .dxf and .lines");
+  CHECK(error.message().starts_with("unknown file name ending; known are .svg .dxf .lines "));
   CHECK(error.offending_text() == ".dwg");
+}
+
+TEST_CASE("a JSON file is read by what its members tell, wherever they stand") {
+  const Scratch scratch;
+  const auto segments = [&](const std::string& content) {
+    return segments_of(evaluate(read(scratch.file("a.json", content))));
+  };
+  const std::string line = "[[1, 2], [3, 4]]";
+  CHECK(segments(R"({"coordinates": )" + line + R"(, "type": "LineString"})") == "1 2, 3 4\n");
+  CHECK(segments(R"({"bbox": [1, {"V": 2}], "type": "LineString", "coordinates": )" + line + "}") ==
+        "1 2, 3 4\n");
+  CHECK(segments(R"({"EV": [[1, 0]], "V": )" + line + "}") == "3 4, 1 2\n");
+  CHECK(segments(R"({"format": "LAR", "lines": [)" + line + "]}") == "1 2, 3 4\n");
+  CHECK(segments("[" + line + ", [[0, 1]]]") == "1 2, 3 4\n");
+  const auto message = [&](const std::string& content) {
+    return std::string(error_of(scratch.file("b.json", content)).message());
+  };
+  CHECK(message(R"({"name": {"type": "Feature"}})").starts_with("JSON of no known format"));
+  CHECK(message(R"({"version": 1, "stories": []})") ==
+        "JSON of a format that is not read: floorspace.js");
+  CHECK(message(R"({"type": "Topology", "arcs": []})") ==
+        "JSON of a format that is not read: TopoJSON");
+  CHECK(message("").starts_with("not JSON"));
 }
 
 TEST_CASE("a file that can't be read is refused, saying why") {

@@ -129,6 +129,17 @@ TEST_CASE("the rows of a model are elements of their own") {
         "line 4:2 row #t: zero-length segment: 5 5, 5 5\n");
   table.rows.pop_back();
   CHECK_THROWS_AS(evaluate(structure_of({{"", "", {table}}})), plumbline::Error);
+
+  table.rows = {{3, 1, 2, 1}, {6, 1, 0, 2}, {7, 1}};
+  CHECK_THROWS_AS(evaluate(structure_of({{"", "", {table}}})), plumbline::Error);
+  table.row_ids = {"wall", "nothing"};
+  CHECK(listing(structure_of({{"", "", {table}}})) ==
+        "0 0, 1 0 | line 3:1 row #wall\n"
+        "0 0, 0 1 | line 7:1 row #t\n"
+        "rejected:\n"
+        "line 3:1 row #wall: zero-length segment: 5 5, 5 5\n");
+  table.rows[2].segment_count = 2;
+  CHECK_THROWS_AS(evaluate(structure_of({{"", "", {table}}})), plumbline::Error);
 }
 
 TEST_CASE("a cycle of references is refused, its names given") {

@@ -12,16 +12,20 @@ namespace plumbline {
 /// Segments of one drawing element, in the coordinates of the Struct that holds it; or of a table
 /// of rows, each an element of its own.
 struct Model {
-  /// Where a row begins.
+  /// An element of a table: where it begins, how many of the segments it has, its id.
   struct Row {
     std::uint32_t line = 0, column = 0;
+    std::uint32_t segment_count = 1;
+    std::uint32_t id = 0;  ///< 0: the source's; else index into row_ids plus 1
 
     friend bool operator==(const Row&, const Row&) = default;
   };
 
   Source source;  ///< its `path` is filled in by `evaluate`
   SegmentList segments;
-  std::vector<Row> rows;  ///< empty, or per segment what replaces the source's line and column
+  /// Empty, or in the order of the segments what replaces the source's line, column and id.
+  std::vector<Row> rows = {};
+  std::vector<std::string> row_ids = {};
 
   friend bool operator==(const Model&, const Model&) = default;
 };

@@ -11,6 +11,8 @@ namespace plumbline {
 
 /// Largest file that `read` takes, in bytes.
 inline constexpr std::uintmax_t kMaxFileSize = std::uintmax_t{1} << 30U;
+/// The same for formats that are read piece by piece: all but `.svg`, `.dxf` and `.lines`.
+inline constexpr std::uintmax_t kMaxStreamedFileSize = std::uintmax_t{1} << 36U;
 
 /// How a drawing is read where the file leaves a choice.
 struct ReadOptions {
@@ -24,7 +26,8 @@ struct ReadOptions {
 };
 
 /// The drawing in a file, every number exact. The format is told by the file name's ending, in
-/// either case: `.svg`, `.dxf`, `.lines`. What the reader does not understand is listed in
+/// either case: `.svg`, `.dxf`, `.lines`, `.geojson`, `.wkt`, `.wkb`, `.csv`; a `.json` is GeoJSON
+/// or a LAR model, as its members tell. What the reader does not understand is listed in
 /// `rejected`, with its place. Throws: Error BadFile, BadInput (malformed file, unknown ending),
 /// Limit (beyond kMaxFileSize; numbers or entities that grow beyond all measure).
 Structure read(const std::filesystem::path& file, const ReadOptions& options = {});
@@ -63,5 +66,44 @@ Structure read_dxf(std::string_view text, const std::string& file_name,
 /// LAR's `.lines` text: a row `x1,y1,x2,y2` per segment, blanks around the numbers allowed; empty
 /// rows are skipped. A row that is anything else is `rejected`. Throws: Error Limit.
 Structure read_lines(std::string_view text, const std::string& file_name);
+
+// The formats below have no hierarchy: elements are in the root, in one table (Model::rows) for
+// each kind of element; 80 bytes of memory a segment, ids apart. `read` takes them piece by piece:
+// memory grows with the result and with the largest geometry or record. Lines are drawn from point
+// to point, rings as they are: one that is not closed is listed in `rejected` and not closed. Also
+// listed: isolated points, which are not drawn; that there are coordinates beyond x and y, which
+// are not used; curved geometries. Of more than 10,000 listed items, each further reason is listed
+// once, with a count.
+
+/// GeoJSON (RFC 7946): any object, GeometryCollections of any depth. Sources are named by the id of
+/// the feature, else by its property id or name, in any case. `rejected` lists a feature or
+/// geometry that breaks the format. Throws: Error BadInput for what is not JSON, and for a document
+/// without a known type, with a member twice or with the contents of two types in one object;
+/// Limit.
+Structure read_geojson(std::string_view text, const std::string& file_name);
+
+/// Geometries in well-known text (OGC SFA 1.2.1; ISO Z, M, ZM; EWKT's SRID), one after the other,
+/// with semicolons, blank lines and lines that begin with # between them. Coordinates may be
+/// fractions p/q. Throws: Error BadInput for anything else.
+Structure read_wkt(std::string_view text, const std::string& file_name);
+
+/// The same in well-known binary (also EWKB), as bytes or as hexadecimal digits. Coordinates are
+/// the dyadic rationals that their doubles are. Of bytes, sources have no place; they are named by
+/// the number of their geometry, from 1.
+Structure read_wkb(std::string_view bytes, const std::string& file_name);
+
+/// Comma-separated values (RFC 4180; also semicolons or tabs, and `sep=`). A header names the
+/// columns x1, y1, x2, y2 or ax, ay, bx, by, or one of wkt, geom, geometry, the_geom with
+/// well-known text or hexadecimal binary; and id, fid, gid or name. Without a header a row is four
+/// numbers. A row that can't be drawn is `rejected`. Throws: Error BadInput for a first row that is
+/// neither and for a quote that is not closed; Limit.
+Structure read_csv(std::string_view text, const std::string& file_name);
+
+/// A LAR model as JSON: members V (points), EV (pairs of indices), FV (lists of indices),
+/// index_base (0, or 1 as in Julia; 0 if it is not there), or lines (pairs of points); or the list
+/// [V, EV], [V, FV] or [V, FV, EV]. Edges are drawn, each an
+/// element with its place. Without any, the faces become a LarModel. Throws: Error BadInput for
+/// anything else, an index out of range in particular.
+Structure read_lar_json(std::string_view text, const std::string& file_name);
 
 }  // namespace plumbline

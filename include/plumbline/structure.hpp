@@ -41,8 +41,8 @@ struct Structure {
 
 /// The dimension that all models and maps of a structure have; 0 where there are none. Looks at
 /// what the root refers to. Throws: Error BadInput for a cycle of references, naming its path; for
-/// two items of different dimensions, naming both; for a StructId out of range, a Model with rows
-/// that are not as many as its segments, and what `check` finds in a LarModel. Cost: linear.
+/// two items of different dimensions, naming both; for a StructId out of range, a Model whose
+/// rows have other numbers of segments or ids, and what `check` finds in a LarModel. Cost: linear.
 std::size_t dimension(const Structure& structure);
 
 /// Largest size of one number, in bits, in a map that a Traversal makes.

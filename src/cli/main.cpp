@@ -19,7 +19,7 @@ constexpr const char* kDescription =
 constexpr const char* kExitCodes =
     "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input or usage, 3 "
     "internal.";
-constexpr const char* kFile = "A drawing: .svg or .lines (rows x1,y1,x2,y2)";
+constexpr const char* kFile = "A drawing: .svg, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv";
 
 template <class Arguments>
 CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,

@@ -3,31 +3,65 @@
 #include <fstream>
 
 #include "plumbline/error.hpp"
+#include "read/json_kind.hpp"
+#include "read/streams.hpp"
 
 namespace plumbline {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string content(const fs::path& file) {
-  const auto fail = [&file](ErrorCode code, const std::string& why) {
-    throw Error(code, why, {file.string(), 0, 0});
-  };
+[[noreturn]] void fail(ErrorCode code, const std::string& why, const fs::path& file) {
+  throw Error(code, why, {file.string(), 0, 0});
+}
+
+void check_is_file(const fs::path& file) {
   std::error_code status;
   const fs::file_status kind = fs::status(file, status);
-  if (!fs::exists(kind)) fail(ErrorCode::BadFile, "no such file");
-  if (fs::is_directory(kind)) fail(ErrorCode::BadFile, "is a directory");
-  if (!fs::is_regular_file(kind)) fail(ErrorCode::BadFile, "is not a regular file");
+  if (!fs::exists(kind)) fail(ErrorCode::BadFile, "no such file", file);
+  if (fs::is_directory(kind)) fail(ErrorCode::BadFile, "is a directory", file);
+  if (!fs::is_regular_file(kind)) fail(ErrorCode::BadFile, "is not a regular file", file);
+}
+
+std::uintmax_t checked_size(const fs::path& file, std::uintmax_t most) {
+  std::error_code status;
   const std::uintmax_t size = fs::file_size(file, status);
-  if (status) fail(ErrorCode::BadFile, "cannot be read");
-  if (size > kMaxFileSize) {
-    fail(ErrorCode::Limit, "is larger than " + std::to_string(kMaxFileSize) + " bytes");
+  if (status) fail(ErrorCode::BadFile, "cannot be read", file);
+  if (size > most) {
+    fail(ErrorCode::Limit, "is larger than " + std::to_string(most) + " bytes", file);
   }
+  return size;
+}
+
+std::string content(const fs::path& file) {
+  const std::uintmax_t size = checked_size(file, kMaxFileSize);
   std::ifstream stream(file, std::ios::binary);
   std::string text(size, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(size));
-  if (!stream) fail(ErrorCode::BadFile, "cannot be read");
+  if (!stream) fail(ErrorCode::BadFile, "cannot be read", file);
   return text;
+}
+
+using StreamReader = Structure (*)(ByteStream&);
+
+Structure read_streamed(const fs::path& file, StreamReader reader) {
+  checked_size(file, kMaxStreamedFileSize);
+  ByteStream bytes(file);
+  return reader(bytes);
+}
+
+Structure read_json(const fs::path& file) {
+  checked_size(file, kMaxStreamedFileSize);
+  ByteStream beginning(file);
+  switch (json_kind(beginning)) {
+    case JsonKind::GeoJson:
+      return read_streamed(file, read_geojson);
+    case JsonKind::Lar:
+      return read_streamed(file, read_lar_json);
+    case JsonKind::Struct:
+      break;
+  }
+  fail(ErrorCode::BadInput, "JSON of a Struct is not read yet", file);
 }
 
 std::string lower_case_ending(const fs::path& file) {
@@ -41,12 +75,18 @@ std::string lower_case_ending(const fs::path& file) {
 }  // namespace
 
 Structure read(const fs::path& file, const ReadOptions& options) {
-  const std::string text = content(file);
+  check_is_file(file);
   const std::string ending = lower_case_ending(file);
-  if (ending == ".svg") return read_svg(text, file.string(), options);
-  if (ending == ".dxf") return read_dxf(text, file.string(), options);
-  if (ending == ".lines") return read_lines(text, file.string());
-  throw Error(ErrorCode::BadInput, "unknown file name ending; known are .svg, .dxf and .lines",
+  if (ending == ".svg") return read_svg(content(file), file.string(), options);
+  if (ending == ".dxf") return read_dxf(content(file), file.string(), options);
+  if (ending == ".lines") return read_lines(content(file), file.string());
+  if (ending == ".json") return read_json(file);
+  if (ending == ".geojson") return read_streamed(file, read_geojson);
+  if (ending == ".wkt") return read_streamed(file, read_wkt);
+  if (ending == ".wkb") return read_streamed(file, read_wkb);
+  if (ending == ".csv") return read_streamed(file, read_csv);
+  throw Error(ErrorCode::BadInput,
+              "unknown file name ending; known are .svg .dxf .lines .geojson .json .wkt .wkb .csv",
               {file.string(), 0, 0}, ending);
 }
 

@@ -63,6 +63,18 @@ class Check {
     result_.holds_models[frames_.back().id] = true;
   }
 
+  static void check_rows(const Model& model) {
+    if (model.rows.empty()) return;
+    std::size_t segments = 0;
+    bool has_ids = true;
+    for (const Model::Row& row : model.rows) {
+      segments += row.segment_count;
+      has_ids = has_ids && row.id <= model.row_ids.size();
+    }
+    if (has_ids && segments == model.segments.size()) return;
+    throw Error(ErrorCode::BadInput, "a Model whose rows have other numbers of segments or ids");
+  }
+
   void look_at(const Struct::Item& item, StructId holder, std::size_t index) {
     if (const auto* id = std::get_if<StructId>(&item)) {
       enter(*id);
@@ -70,9 +82,7 @@ class Check {
     } else if (const auto* map = std::get_if<Affine>(&item)) {
       agree("map", map->dimension(), holder, index);
     } else if (const auto* model = std::get_if<Model>(&item)) {
-      if (!model->rows.empty() && model->rows.size() != model->segments.size()) {
-        throw Error(ErrorCode::BadInput, "a Model with rows that are not as many as its segments");
-      }
+      check_rows(*model);
       agree("model", 2, holder, index);
       result_.holds_models[holder] = true;
     } else {

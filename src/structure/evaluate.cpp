@@ -110,19 +110,30 @@ class Evaluation {
 
   void add(const Model& model, const PlaneMap& map) {
     Source source = model.source;
-    SourceId id;
-    if (model.rows.empty()) id = add_source(source);
-    for (std::size_t i = 0; i < model.segments.size(); ++i) {
-      if (!model.rows.empty()) {
-        source.line = model.rows[i].line;
-        source.column = model.rows[i].column;
-        id = add_source(source);
-      }
-      const auto numbers = model.segments.numbers(i);
+    if (model.rows.empty()) {
+      add(model.segments, 0, model.segments.size(), add_source(source), map);
+      return;
+    }
+    source.path = traversal_.path();
+    std::size_t begin = 0;
+    for (const Model::Row& row : model.rows) {
+      source.line = row.line;
+      source.column = row.column;
+      source.id = row.id == 0 ? model.source.id : model.row_ids[row.id - 1];
+      budget_.spend(1);
+      add(model.segments, begin, row.segment_count, result_.add_source(source), map);
+      begin += row.segment_count;
+    }
+  }
+
+  void add(const SegmentList& segments, std::size_t begin, std::size_t count, SourceId source,
+           const PlaneMap& map) {
+    for (std::size_t i = begin; i < begin + count; ++i) {
+      const auto numbers = segments.numbers(i);
       NumberPoint a = map({numbers[0], numbers[1]});
       NumberPoint b = map({numbers[2], numbers[3]});
       budget_.spend(words(a) + words(b));
-      result_.add(std::move(a), std::move(b), id);
+      result_.add(std::move(a), std::move(b), source);
     }
   }
 

@@ -1,0 +1,147 @@
+#include "read/feature_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "read/byte_stream.hpp"
+
+namespace plumbline {
+namespace {
+
+/// A table is closed at this many segments, so that growing never copies much.
+constexpr std::size_t kFullTable = std::size_t{1} << 16U;
+
+/// "1 point", "2 points"
+std::string count_of(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+/// The id as a line of valid UTF-8. Long ones are cut.
+std::string line_of(std::string_view id) {
+  std::string line = valid_line(id.substr(0, kMaxPathText));
+  return id.size() <= kMaxPathText ? line : line + "...";
+}
+
+}  // namespace
+
+FeatureTable::FeatureTable(const std::string& file_name) : files_{file_name} {}
+
+void FeatureTable::begin_feature() {
+  for (auto table = open_.begin(); table != open_.end();) {
+    table->rows_before_feature = table->model.rows.size();
+    if (table->model.segments.size() >= kFullTable) {
+      full_.push_back(std::move(table->model));
+      table = open_.erase(table);
+    } else {
+      ++table;
+    }
+  }
+}
+
+void FeatureTable::name_feature(std::string_view id) {
+  if (id.empty()) return;
+  for (Table& table : open_) {
+    Model& model = table.model;
+    if (table.rows_before_feature == model.rows.size()) continue;
+    model.row_ids.push_back(line_of(id));
+    for (std::size_t i = table.rows_before_feature; i < model.rows.size(); ++i) {
+      model.rows[i].id = static_cast<std::uint32_t>(model.row_ids.size());
+    }
+  }
+}
+
+FeatureTable::Table& FeatureTable::table(std::string_view element) {
+  const auto known = std::find_if(open_.begin(), open_.end(), [element](const Table& table) {
+    return table.model.source.element == element;
+  });
+  if (known != open_.end()) return *known;
+  open_.emplace_back();
+  open_.back().model.source.element = element;
+  return open_.back();
+}
+
+Source FeatureTable::source_of(std::string_view element, const Place& place) {
+  return {0, place.line, place.column, line_of(element), {}, {}};
+}
+
+void FeatureTable::add_row(Model& model, const Place& place, std::size_t segment_count) {
+  model.rows.push_back({place.line, place.column, static_cast<std::uint32_t>(segment_count), 0});
+}
+
+void FeatureTable::add_lines(std::string_view element, const Place& place, const Polylines& lines) {
+  Model& model = table(element).model;
+  const std::size_t before = model.segments.size();
+  std::size_t single_points = 0;
+  std::size_t begin = 0;
+  for (const std::size_t end : lines.ends) {
+    for (std::size_t i = begin; i + 1 < end; ++i) {
+      model.segments.push_back(lines.points[i], lines.points[i + 1]);
+    }
+    if (end - begin == 1) ++single_points;
+    begin = end;
+  }
+  if (model.segments.size() > before) add_row(model, place, model.segments.size() - before);
+  if (single_points > 0) {
+    refuse(element, place, "line of a single point", count_of(single_points, "line"));
+  }
+  if (lines.points.empty()) refuse(element, place, "has no points", {});
+}
+
+void FeatureTable::add_rings(std::string_view element, const Place& place, const Polylines& rings) {
+  std::size_t open_rings = 0;
+  std::size_t begin = 0;
+  for (const std::size_t end : rings.ends) {
+    if (end - begin > 1 && rings.points[begin] != rings.points[end - 1]) ++open_rings;
+    begin = end;
+  }
+  if (open_rings > 0) {
+    refuse(element, place, "ring is not closed; it is drawn as it is",
+           count_of(open_rings, "ring"));
+  }
+  add_lines(element, place, rings);
+}
+
+void FeatureTable::add_segment(std::string_view element, const Place& place, NumberPoint a,
+                               NumberPoint b) {
+  Model& model = table(element).model;
+  model.segments.push_back(std::move(a), std::move(b));
+  add_row(model, place, 1);
+}
+
+void FeatureTable::refuse_points(std::string_view element, const Place& place, std::size_t count) {
+  refuse(element, place, "isolated points are not drawn", count_of(count, "point"));
+}
+
+void FeatureTable::refuse(std::string_view element, const Place& place, const std::string& reason,
+                          const std::string& text, std::string_view id) {
+  Source source = source_of(element, place);
+  source.id = line_of(id);
+  rejections_.add(source, reason, text);
+}
+
+void FeatureTable::note_other_coordinates(std::string_view element, const Place& place) {
+  if (with_other_coordinates_++ == 0) first_with_other_coordinates_ = source_of(element, place);
+}
+
+Structure FeatureTable::finish() && {
+  Structure structure;
+  structure.files = std::move(files_);
+  structure.root = StructId(0);
+  structure.structs.resize(1);
+  if (with_other_coordinates_ > 0) {
+    rejections_.add(first_with_other_coordinates_, "coordinates beyond x and y are not used",
+                    count_of(with_other_coordinates_, "element") + " from here on");
+  }
+  structure.rejected = std::move(rejections_).finish();
+  auto& body = structure.structs[0].body;
+  body.reserve(full_.size() + open_.size() +
+               models_.size());  // growing would copy: Affine has no noexcept move
+  for (Model& model : full_) body.emplace_back(std::move(model));
+  for (Table& table : open_) {
+    if (!table.model.segments.empty()) body.emplace_back(std::move(table.model));
+  }
+  for (LarModel& model : models_) body.emplace_back(std::move(model));
+  return structure;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "plumbline/error.hpp"
+#include "plumbline/structure.hpp"
+#include "read/rejections.hpp"
+
+namespace plumbline {
+
+/// The lines of one geometry: successive points up to each end are joined.
+struct Polylines {
+  std::vector<NumberPoint> points;
+  std::vector<std::size_t> ends;  ///< of each line, an index into `points`, ascending
+
+  void clear() {
+    points.clear();
+    ends.clear();
+  }
+  /// Ends a line here.
+  void end_line() { ends.push_back(points.size()); }
+};
+
+/// Collects the elements of a drawing without hierarchy into tables, one for each kind of element.
+/// 80 bytes for each element of one segment, and its id.
+class FeatureTable {
+ public:
+  explicit FeatureTable(const std::string& file_name);
+
+  /// What is added from here on belongs to one feature.
+  void begin_feature();
+  /// Gives the id, unless empty, to all that was added since begin_feature.
+  void name_feature(std::string_view id);
+  /// Adds an element. Lines of one point are refused.
+  void add_lines(std::string_view element, const Place& place, const Polylines& lines);
+  /// The same for rings, which are drawn as they are; those that are not closed are listed.
+  void add_rings(std::string_view element, const Place& place, const Polylines& rings);
+  /// An element that is one segment.
+  void add_segment(std::string_view element, const Place& place, NumberPoint a, NumberPoint b);
+  /// Lists isolated points, which no reader draws.
+  void refuse_points(std::string_view element, const Place& place, std::size_t count);
+  void refuse(std::string_view element, const Place& place, const std::string& reason,
+              const std::string& text, std::string_view id = {});
+  /// Counts an element with coordinates other than x and y, which are not used.
+  void note_other_coordinates(std::string_view element, const Place& place);
+
+  /// Adds a model as it is.
+  void add_model(LarModel model) { models_.push_back(std::move(model)); }
+
+  Structure finish() &&;
+
+ private:
+  /// An open table, and how much of it was there before the feature.
+  struct Table {
+    Model model;
+    std::size_t rows_before_feature = 0;
+  };
+
+  Table& table(std::string_view element);
+  static void add_row(Model& model, const Place& place, std::size_t segment_count);
+  static Source source_of(std::string_view element, const Place& place);
+
+  std::vector<std::string> files_;
+  std::vector<Table> open_;
+  std::vector<Model> full_;
+  std::vector<LarModel> models_;
+  Rejections rejections_;
+  Source first_with_other_coordinates_;
+  std::uint64_t with_other_coordinates_ = 0;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "plumbline/read.hpp"
+#include "read/byte_stream.hpp"
+
+namespace plumbline {
+
+/// The readers of read.hpp that need no more than a part of the text at a time, on any stream.
+Structure read_geojson(ByteStream& bytes);
+Structure read_wkt(ByteStream& bytes);
+Structure read_wkb(ByteStream& bytes);
+Structure read_csv(ByteStream& bytes);
+Structure read_lar_json(ByteStream& bytes);
+
+}  // namespace plumbline
