@@ -146,6 +146,7 @@ class SegmentSet {
   std::vector<SourceId> point_source;    ///< per point
   std::vector<Rejected> rejected;
   std::vector<Replacement> ledger;
+  bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG
 
   /// Adds a file name, returns its index.
   std::uint32_t add_file(std::string name);

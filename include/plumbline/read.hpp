@@ -105,5 +105,14 @@ Structure read_csv(std::string_view text, const std::string& file_name);
 /// element with its place. Without any, the faces become a LarModel. Throws: Error BadInput for
 /// anything else, an index out of range in particular.
 Structure read_lar_json(std::string_view text, const std::string& file_name);
+/// A LAR structure as JSON: {"root": name, "defs": {name: definition, ...}}. A definition is a
+/// Struct {"body": [...]} of references {"ref": name}, maps {"op": "t" | "s" | "r", "args": [...]}
+/// (radians), {"op": "r", "degrees": x} or {"mat": [[...], ...]}, models and Structs; or a model:
+/// {"V", "CV"}, {"V", "FV", "EV"}, {"V", "cells"}, {"lines": [[[x, y], [x, y]], ...]} or the grid
+/// {"shape": [...]}. Numbers are decimals, or strings "p/q". Documented in docs/json.md. Rotations
+/// that are replaced are in the ledger. Throws: Error BadInput, with its place, for anything else;
+/// Limit. Cycles and mixed dimensions are found when the structure is used (`dimension`).
+Structure read_struct_json(std::string_view text, const std::string& file_name,
+                           const ReadOptions& options = {});
 
 }  // namespace plumbline

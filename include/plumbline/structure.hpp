@@ -35,6 +35,7 @@ struct Structure {
   StructId root;
   std::vector<Rejected> rejected;
   std::vector<Replacement> ledger;
+  bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG
 
   friend bool operator==(const Structure&, const Structure&) = default;
 };

@@ -9,14 +9,29 @@
 
 namespace plumbline {
 
+struct LarModel;
+struct Structure;
+
 /// The complex as JSON: vertices (exact text and nearest double), edges with their sources, faces
 /// with cycles of signed edges, area, depth, interior point; components; rejected items; ledger;
 /// signature. Documented in docs/json.md.
 std::string to_json(const ExactComplex& complex, const SegmentSet& input);
 
+/// The structure as JSON that `read_struct_json` reads back: definitions in order, references by
+/// name, rotations as the exact matrices that they became. Throws: Error BadInput for a reference
+/// to no Struct. Documented in docs/json.md.
+std::string to_json(const Structure& structure);
+
+/// The model as JSON: V and CV, V, FV and EV, or V and cells. Decimals are numbers, other
+/// coordinates strings "p/q". Documented in docs/json.md.
+std::string to_json(const LarModel& model);
+
 /// The complex as an SVG picture, in the drawing's own coordinates: faces filled by nesting depth,
-/// edges, antennas dashed. **Rounded** to nearest doubles.
-std::string to_svg(const ExactComplex& complex);
+/// edges, antennas dashed; y negated where it runs upwards. **Rounded** to nearest doubles.
+std::string to_svg(const ExactComplex& complex, bool y_up = false);
+
+/// The segments as an SVG picture of lines, in the same way.
+std::string to_svg(const SegmentSet& input);
 
 /// The trace of the published LAR pipeline as JSON, with the keys that the original's recorded
 /// outputs have. Documented in docs/json.md.

@@ -17,7 +17,7 @@ ExitCode run(const ArrangeArguments& arguments) {
   if (!arguments.output) return kAgree;
   write_file(*arguments.output, ending(*arguments.output) == ".json"
                                     ? to_json(drawing.complex, drawing.input)
-                                    : to_svg(drawing.complex));
+                                    : to_svg(drawing.complex, drawing.input.y_up));
   fmt::print("wrote {}\n", *arguments.output);
   return kAgree;
 }

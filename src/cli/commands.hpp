@@ -43,10 +43,20 @@ struct LarArguments {
   std::optional<std::string> output;
 };
 
+struct EvalArguments {
+  std::string file;
+  std::optional<std::string> category;
+  std::optional<int> decimals;
+  bool merge_cells = false;
+  bool as_structure = false;
+  std::optional<std::string> output;
+};
+
 /// Each command prints to standard output and returns its exit code. Throws: Error.
 ExitCode run(const ArrangeArguments& arguments);
 ExitCode run(const CheckArguments& arguments);
 ExitCode run(const InfoArguments& arguments);
 ExitCode run(const LarArguments& arguments);
+ExitCode run(const EvalArguments& arguments);
 
 }  // namespace plumbline::cli

@@ -15,7 +15,8 @@ constexpr const char* kDescription =
     "  plumbline info plan.svg\n"
     "  plumbline arrange plan.svg -o plan.json\n"
     "  plumbline check plan.svg --picture check.svg\n"
-    "  plumbline lar plan.svg --show components -o components.svg\n";
+    "  plumbline lar plan.svg --show components -o components.svg\n"
+    "  plumbline eval table.json -o table.svg\n";
 constexpr const char* kExitCodes =
     "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input or usage, 3 "
     "internal.";
@@ -85,14 +86,41 @@ void add_lar_command(CLI::App& app, LarArguments& arguments, ExitCode& exit_code
   command->callback([&] { exit_code = run(arguments); });
 }
 
+void add_eval_command(CLI::App& app, EvalArguments& arguments, ExitCode& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("eval", "Evaluate a hierarchical structure to one LAR model or a picture");
+  command->footer(
+      "Examples: plumbline eval table.json -o table.svg\n"
+      "          plumbline eval plan.svg --structure -o plan.json\n");
+  command->add_option("FILE", arguments.file, "A structure (.json), or any drawing")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("--decimals", arguments.decimals,
+                   "Identify vertices that are equal after rounding to N decimals [default: exact]")
+      ->type_name("N");
+  command->add_flag("--merge-cells", arguments.merge_cells, "Keep repeated cells once");
+  command
+      ->add_option("--category", arguments.category,
+                   "Only what stands within structures of this category (layer, block, ...)")
+      ->type_name("NAME");
+  command->add_flag("--structure", arguments.as_structure,
+                    "Write the hierarchy itself to the .json file, not the LAR model");
+  command
+      ->add_option("-o,--output", arguments.output,
+                   "Write the LAR model to a .json file or a picture of its lines to an .svg file")
+      ->type_name("FILE");
+  command->callback([&] { exit_code = run(arguments); });
+}
+
 /// CLI11 would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const std::string command = argv[1];
-  for (const char* known : {"arrange", "check", "info", "lar"})
+  for (const char* known : {"arrange", "check", "eval", "info", "lar"})
     if (command == known) return;
-  throw Error(ErrorCode::BadInput, "unknown command (the commands are arrange, check, info, lar)",
-              {}, command);
+  throw Error(ErrorCode::BadInput,
+              "unknown command (the commands are arrange, check, eval, info, lar)", {}, command);
 }
 
 ExitCode parse_and_run(int argc, char** argv) {
@@ -136,6 +164,9 @@ ExitCode parse_and_run(int argc, char** argv) {
 
   LarArguments lar;
   add_lar_command(app, lar, exit_code);
+
+  EvalArguments eval;
+  add_eval_command(app, eval, exit_code);
 
   try {
     refuse_unknown_command(argc, argv);

@@ -50,7 +50,7 @@ Structure read_streamed(const fs::path& file, StreamReader reader) {
   return reader(bytes);
 }
 
-Structure read_json(const fs::path& file) {
+Structure read_json(const fs::path& file, const ReadOptions& options) {
   checked_size(file, kMaxStreamedFileSize);
   ByteStream beginning(file);
   switch (json_kind(beginning)) {
@@ -61,7 +61,8 @@ Structure read_json(const fs::path& file) {
     case JsonKind::Struct:
       break;
   }
-  fail(ErrorCode::BadInput, "JSON of a Struct is not read yet", file);
+  ByteStream bytes(file);
+  return read_struct_json(bytes, options);
 }
 
 std::string lower_case_ending(const fs::path& file) {
@@ -80,7 +81,7 @@ Structure read(const fs::path& file, const ReadOptions& options) {
   if (ending == ".svg") return read_svg(content(file), file.string(), options);
   if (ending == ".dxf") return read_dxf(content(file), file.string(), options);
   if (ending == ".lines") return read_lines(content(file), file.string());
-  if (ending == ".json") return read_json(file);
+  if (ending == ".json") return read_json(file, options);
   if (ending == ".geojson") return read_streamed(file, read_geojson);
   if (ending == ".wkt") return read_streamed(file, read_wkt);
   if (ending == ".wkb") return read_streamed(file, read_wkb);

@@ -11,5 +11,6 @@ Structure read_wkt(ByteStream& bytes);
 Structure read_wkb(ByteStream& bytes);
 Structure read_csv(ByteStream& bytes);
 Structure read_lar_json(ByteStream& bytes);
+Structure read_struct_json(ByteStream& bytes, const ReadOptions& options);
 
 }  // namespace plumbline

@@ -63,6 +63,7 @@ class Evaluation {
     result_.files = structure.files;
     result_.rejected = structure.rejected;
     result_.ledger = structure.ledger;
+    result_.y_up = structure.y_up;
     reserve();
   }
 

@@ -1,7 +1,6 @@
 #include "write/json_writer.hpp"
 
 namespace plumbline {
-namespace {
 
 void write_source_members(JsonWriter& json, const Source& source) {
   json.Key("file");
@@ -18,13 +17,15 @@ void write_source_members(JsonWriter& json, const Source& source) {
   json.text(source.path);
 }
 
-}  // namespace
-
-void write_input(JsonWriter& json, const SegmentSet& input) {
+void write_files(JsonWriter& json, const std::vector<std::string>& files) {
   json.Key("files");
   json.StartArray();
-  for (const std::string& file : input.files) json.text(file);
+  for (const std::string& file : files) json.text(file);
   json.EndArray();
+}
+
+void write_input(JsonWriter& json, const SegmentSet& input) {
+  write_files(json, input.files);
   json.Key("sources");
   json.StartArray();
   for (const Source& source : input.sources) {
@@ -46,9 +47,14 @@ void write_input(JsonWriter& json, const SegmentSet& input) {
     json.EndObject();
   }
   json.EndArray();
+  write_rejected(json, input.rejected);
+  write_ledger(json, input.ledger);
+}
+
+void write_rejected(JsonWriter& json, const std::vector<Rejected>& rejected) {
   json.Key("rejected");
   json.StartArray();
-  for (const Rejected& item : input.rejected) {
+  for (const Rejected& item : rejected) {
     json.StartObject();
     write_source_members(json, item.source);
     json.Key("reason");
@@ -58,9 +64,12 @@ void write_input(JsonWriter& json, const SegmentSet& input) {
     json.EndObject();
   }
   json.EndArray();
+}
+
+void write_ledger(JsonWriter& json, const std::vector<Replacement>& ledger) {
   json.Key("ledger");
   json.StartArray();
-  for (const Replacement& item : input.ledger) {
+  for (const Replacement& item : ledger) {
     json.StartObject();
     write_source_members(json, item.source);
     json.Key("what");

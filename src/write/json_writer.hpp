@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "plumbline/geometry.hpp"
 #include "write/escape.hpp"
@@ -33,7 +34,20 @@ class JsonWriter : public rapidjson::PrettyWriter<rapidjson::StringBuffer> {
       RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
     }
   }
+  void key(std::string_view name) {
+    const std::string utf8 = valid_utf8(name);
+    Key(utf8.data(), static_cast<rapidjson::SizeType>(utf8.size()));
+  }
   void count(std::size_t value) { Uint64(value); }
+  /// A number where the value is a decimal, else a string "p/q".
+  void decimal(const Rational& value) {
+    const std::string digits = exact_text(value);
+    if (digits.find('/') != std::string::npos) {
+      text(digits);
+    } else {
+      RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
+    }
+  }
   /// A string: a decimal or "p/q".
   void exact(const Rational& value) { text(exact_text(value)); }
   /// [x, y], exact.
@@ -69,6 +83,13 @@ class JsonWriter : public rapidjson::PrettyWriter<rapidjson::StringBuffer> {
  private:
   rapidjson::StringBuffer buffer_;
 };
+
+/// The members of a source, written into the open object.
+void write_source_members(JsonWriter& json, const Source& source);
+/// The members "files", "rejected", "ledger".
+void write_files(JsonWriter& json, const std::vector<std::string>& files);
+void write_rejected(JsonWriter& json, const std::vector<Rejected>& rejected);
+void write_ledger(JsonWriter& json, const std::vector<Replacement>& ledger);
 
 /// The members that describe where a drawing's items come from: "files", "sources", "segments",
 /// "rejected", "ledger". Written into the open object. Documented in docs/json.md.
