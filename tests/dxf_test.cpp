@@ -165,7 +165,7 @@ TEST_CASE("what is not drawn is listed by kind, with counts") {
                             "0 POLYLINE 67 1 0 VERTEX 67 1 10 0 20 0 0 SEQEND 67 1")) ==
         "rejected:\n"
         "a.dxf:6 TEXT (N): annotation is not read (2 of them)\n"
-        "a.dxf:12 POINT (0): has no ends in the plane\n"
+        "a.dxf:12 POINT (0): points are not read\n"
         "a.dxf:26 FROBNICATE (0): not understood\n"
         "a.dxf:30 LINE (0): in paper space\n"
         "a.dxf:44 POLYLINE (0): in paper space\n");

@@ -34,7 +34,7 @@ Drawn draw_part(const Ellipse& ellipse, const Rational& from, const Rational& to
   const ApproximatePoint start = circle_point(from, pen.angle_bound);
   const ApproximatePoint end = circle_point(to, pen.angle_bound);
   if (start.point == end.point) throw Unusable{"arc of an angle below the bound", {}};
-  Drawn drawn = chain(pen.flattener.arc({ellipse, start.point, end.point, false}), plane, curve);
+  Drawn drawn = chain(pen.arc({ellipse, start.point, end.point, false}), plane, curve);
   const Rational bound = std::max(start.bound, end.bound);
   if (bound != 0) {
     drawn.replaced.push_back({std::string("end of an ") + curve, nearest_double(bound), "rad"});
@@ -68,12 +68,12 @@ Drawn draw_arc(const Entity& entity, Pen& pen) {
   const Rational to = entity.number(51).rational();
   const Plane plane = plane_of(entity);
   if (from == to) throw Unusable{"arc of no angle", "group 51: " + in_ascii(entity.text(51))};
-  if (within_turn(to - from) == 0) return chain(pen.flattener.ellipse(circle), plane, "arc");
+  if (within_turn(to - from) == 0) return chain(pen.ellipse(circle), plane, "arc");
   return draw_part(circle, from, to, plane, "arc", pen);
 }
 
 Drawn draw_circle(const Entity& entity, Pen& pen) {
-  return chain(pen.flattener.ellipse(circle_of(entity)), plane_of(entity), "circle");
+  return chain(pen.ellipse(circle_of(entity)), plane_of(entity), "circle");
 }
 
 Drawn draw_ellipse(const Entity& entity, Pen& pen) {
@@ -85,7 +85,7 @@ Drawn draw_ellipse(const Entity& entity, Pen& pen) {
   if (u == Point{0, 0} || sgn(ratio) == 0) throw Unusable{"ellipse with an axis of no length", {}};
   const Ellipse ellipse{centre, u, {-ratio * u.y, ratio * u.x}};
   if (!entity.has(41) && !entity.has(42)) {
-    return chain(pen.flattener.ellipse(ellipse), Plane::Front, "ellipse");
+    return chain(pen.ellipse(ellipse), Plane::Front, "ellipse");
   }
   const Rational from = degrees_of(entity.number(41).rational());
   const Rational to = degrees_of(entity.number(42).rational());
@@ -97,7 +97,7 @@ Drawn draw_ellipse(const Entity& entity, Pen& pen) {
     return draw_part(ellipse, from, to, Plane::Front, "ellipse", pen);
   }
   if (abs(to - from) < 1) throw Unusable{"arc of an angle below the bound", {}};
-  Drawn whole = chain(pen.flattener.ellipse(ellipse), Plane::Front, "ellipse");
+  Drawn whole = chain(pen.ellipse(ellipse), Plane::Front, "ellipse");
   whole.replaced.push_back({"end of a whole ellipse by its start", 1e-5, "rad"});
   return whole;
 }

@@ -22,10 +22,7 @@ constexpr std::string_view kSequenceEnd = "SEQEND";
 
 EntityReader::EntityReader(Drawing& drawing, const Names& names, const Layers& layers,
                            const ReadOptions& options)
-    : drawing_(drawing),
-      names_(names),
-      layers_(layers),
-      pen_{Flattener(options), options.angle_bound, options.visible_only} {}
+    : drawing_(drawing), names_(names), layers_(layers), pen_(options) {}
 
 Source EntityReader::source(const Record& record) const {
   const auto handle = std::find_if(record.groups.begin(), record.groups.end(),

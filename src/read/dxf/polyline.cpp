@@ -140,7 +140,7 @@ Drawn draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plane plan
     if (sgn(from.bulge) != 0 && from.point != to.point) {
       const Point a{from.point.x.rational(), from.point.y.rational()};
       const Point b{to.point.x.rational(), to.point.y.rational()};
-      Chords chords = pen.flattener.arc(bulge_arc(a, b, from.bulge.rational()));
+      Chords chords = pen.arc(bulge_arc(a, b, from.bulge.rational()));
       points = std::move(chords.points);
       bound = std::max(bound, chords.bound);
       has_arc = true;

@@ -7,10 +7,26 @@
 namespace plumbline::dxf {
 
 /// What the shapes need besides their groups.
-struct Pen {
-  Flattener flattener;
-  double angle_bound;
-  bool visible_only;
+class Pen {
+ public:
+  /// Throws: Error BadInput for a negative tolerance.
+  explicit Pen(const ReadOptions& options)
+      : angle_bound(options.angle_bound), visible_only(options.visible_only), flattener_(options) {}
+
+  const double angle_bound;
+  const bool visible_only;
+
+  /// The chords of a curve. Throws: Unusable, Error Limit as the Flattener; Limit also where the
+  /// numbers of all curves take more than kMaxEvaluatedWords.
+  Chords bezier(std::span<const Point> points, std::span<const Rational> weights);
+  Chords ellipse(const Ellipse& ellipse);
+  Chords arc(const EllipticArc& arc);
+
+ private:
+  Chords spend(Chords chords);
+
+  Flattener flattener_;
+  std::size_t words_left_ = kMaxEvaluatedWords;
 };
 
 /// A vertex of a polyline and the bulge of what leads from it to the next.

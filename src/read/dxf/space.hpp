@@ -46,15 +46,9 @@ struct Drawing {
   std::map<std::string, std::size_t> blocks;  ///< by the key of their names
   Tally tally;                                ///< of what is in no space
 
-  /// The hierarchy below the model space: each block, and each layer of it, is a Struct stored
-  /// once. What a block has on layer "0" is in its own Struct, so it lies on the layer of each
-  /// insert. Blocks that no insert reaches are left out. Throws: Error BadInput for a block within
-  /// itself, naming the path and the line; Limit for arrays of more than kMaxArrayItems rows and
-  /// columns.
+  /// The hierarchy below the model space, and what its spaces refuse and replace; blocks that no
+  /// insert reaches are listed only. Throws: as `reached_spaces` and `assemble`.
   Structure structure(const std::string& file_name) &&;
 };
-
-/// Most rows and columns that the arrays of a drawing may have in all.
-inline constexpr std::size_t kMaxArrayItems = std::size_t{1} << 22U;
 
 }  // namespace plumbline::dxf

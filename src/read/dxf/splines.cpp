@@ -25,8 +25,10 @@ constexpr int kControlX = 10;
 constexpr int kControlY = 20;
 constexpr int kFitX = 11;
 
-/// AutoCAD's own limit is 11.
-constexpr std::int64_t kMaxDegree = 25;
+/// That of AutoCAD.
+constexpr std::int64_t kMaxDegree = 11;
+/// Largest number of a piece, in words: a degree multiplies the length of the numbers in a file.
+constexpr std::size_t kMaxPieceWords = std::size_t{1} << 12U;
 
 std::vector<Rational> all_numbers(const Entity& entity, int code) {
   std::vector<Rational> values;
@@ -71,6 +73,12 @@ Spline spline_of(const Entity& entity) {
   return spline;
 }
 
+void check_size(const Rational& number) {
+  if (mpz_size(number.get_num_mpz_t()) + mpz_size(number.get_den_mpz_t()) > kMaxPieceWords) {
+    refuse("the numbers of the spline grow too long");
+  }
+}
+
 /// The polar form of the piece between knots k and k + 1, at `low` of its arguments knot k and at
 /// the others knot k + 1.
 WeightedPoint polar_form(const Spline& spline, std::size_t k, std::size_t low) {
@@ -88,6 +96,7 @@ WeightedPoint polar_form(const Spline& spline, std::size_t k, std::size_t low) {
       d[i].x += s * (d[i + 1].x - d[i].x);
       d[i].y += s * (d[i + 1].y - d[i].y);
       d[i].w += s * (d[i + 1].w - d[i].w);
+      for (const Rational* number : {&d[i].x, &d[i].y, &d[i].w}) check_size(*number);
     }
   }
   return d[0];
@@ -109,7 +118,7 @@ Drawn draw_spline(const Entity& entity, Pen& pen) {
       points.push_back({b.x / b.w, b.y / b.w});
       weights.push_back(b.w);
     }
-    const Chords chords = pen.flattener.bezier(points, weights);
+    const Chords chords = pen.bezier(points, weights);
     append_chain(drawn.segments, chords.points);
     bound = std::max(bound, chords.bound);
   }

@@ -12,7 +12,7 @@ struct Unread {
 };
 constexpr const char* kAnnotation = "annotation is not read";
 constexpr const char* kPicture = "fills, pictures and masks are not read";
-constexpr const char* kNoExtent = "has no ends in the plane";
+constexpr const char* kEndless = "endless lines are not read";
 constexpr const char* kSolid = "surfaces and solids are not read";
 constexpr std::array kUnread{
     Unread{"TEXT", kAnnotation},
@@ -38,9 +38,9 @@ constexpr std::array kUnread{
     Unread{"PDFUNDERLAY", kPicture},
     Unread{"DWFUNDERLAY", kPicture},
     Unread{"DGNUNDERLAY", kPicture},
-    Unread{"POINT", kNoExtent},
-    Unread{"RAY", kNoExtent},
-    Unread{"XLINE", kNoExtent},
+    Unread{"POINT", "points are not read"},
+    Unread{"RAY", kEndless},
+    Unread{"XLINE", kEndless},
     Unread{"3DSOLID", kSolid},
     Unread{"BODY", kSolid},
     Unread{"REGION", kSolid},
