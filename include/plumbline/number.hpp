@@ -52,6 +52,8 @@ class Number {
   std::int64_t mantissa() const { return held_.mantissa; }
   int digits() const { return digits_; }
   Rational rational() const;
+  /// Where it is held if not in place. Requires: !is_decimal().
+  const Rational& held_rational() const { return *held_.rational; }
 
   friend bool operator==(const Number& a, const Number& b) {
     if (a.digits_ != b.digits_) return false;

@@ -32,7 +32,7 @@ Rejected make_rejected(Source source, std::string reason, std::string text) {
 bool is_within_limit(const Point& p) { return is_below_limit(p.x) && is_below_limit(p.y); }
 
 bool is_within_limit(const Number& coordinate) {
-  return coordinate.is_decimal() || is_below_limit(coordinate.rational());  // decimals < 2^63
+  return coordinate.is_decimal() || is_below_limit(coordinate.held_rational());  // decimals < 2^63
 }
 
 std::uint32_t SegmentSet::add_file(std::string name) {

@@ -122,8 +122,26 @@ Rational Number::rational() const {
   return value;
 }
 
+namespace {
+
+/// A Number as a Rational, made only where it is not held as one.
+class View {
+ public:
+  explicit View(const Number& number)
+      : made_(number.is_decimal() ? number.rational() : Rational()),
+        seen_(number.is_decimal() ? made_ : number.held_rational()) {}
+
+  const Rational& operator*() const { return seen_; }
+
+ private:
+  Rational made_;
+  const Rational& seen_;
+};
+
+}  // namespace
+
 std::strong_ordering operator<=>(const Number& a, const Number& b) {
-  if (!a.is_decimal() || !b.is_decimal()) return cmp(a.rational(), b.rational()) <=> 0;
+  if (!a.is_decimal() || !b.is_decimal()) return cmp(*View(a), *View(b)) <=> 0;
   if (a.digits() == b.digits()) return a.mantissa() <=> b.mantissa();
   const int digits = std::max(a.digits(), b.digits());
   const Int128 m = mantissa_at(a, digits);
@@ -139,19 +157,19 @@ int sgn(const Number& a) {
 }
 
 Number operator+(const Number& a, const Number& b) {
-  if (!a.is_decimal() || !b.is_decimal()) return Rational(a.rational() + b.rational());
+  if (!a.is_decimal() || !b.is_decimal()) return Rational(*View(a) + *View(b));
   const int digits = std::max(a.digits(), b.digits());
   return decimal_of(mantissa_at(a, digits) + mantissa_at(b, digits), digits);
 }
 
 Number operator-(const Number& a, const Number& b) {
-  if (!a.is_decimal() || !b.is_decimal()) return Rational(a.rational() - b.rational());
+  if (!a.is_decimal() || !b.is_decimal()) return Rational(*View(a) - *View(b));
   const int digits = std::max(a.digits(), b.digits());
   return decimal_of(mantissa_at(a, digits) - mantissa_at(b, digits), digits);
 }
 
 Number operator*(const Number& a, const Number& b) {
-  if (!a.is_decimal() || !b.is_decimal()) return Rational(a.rational() * b.rational());
+  if (!a.is_decimal() || !b.is_decimal()) return Rational(*View(a) * *View(b));
   return decimal_of(Int128{a.mantissa()} * b.mantissa(), a.digits() + b.digits());
 }
 

@@ -14,10 +14,11 @@ const Number& one() {
   return value;
 }
 
-/// sum += factor * x; most entries of the maps in drawings are 0, many of the rest 1.
-void add_product(Number& sum, const Number& factor, const Number& x) {
-  if (sgn(factor) == 0) return;
-  sum = sum + (factor == one() ? x : factor * x);
+/// sum += p * q; most entries of the maps in drawings are 0, many of the rest 1.
+void add_product(Number& sum, const Number& p, const Number& q) {
+  if (sgn(p) == 0 || sgn(q) == 0) return;
+  Number product = p == one() ? q : q == one() ? p : p * q;
+  sum = sgn(sum) == 0 ? std::move(product) : sum + product;
 }
 
 void require_dimension(std::size_t dimension) {

@@ -1,58 +1,15 @@
 // Flattening a hierarchy in the plane to segments.
 
-#include <algorithm>
-#include <array>
 #include <unordered_map>
 #include <utility>
 
 #include "plumbline/error.hpp"
 #include "plumbline/structure.hpp"
+#include "structure/plane_map.hpp"
 #include "structure/words.hpp"
 
 namespace plumbline {
 namespace {
-
-/// A map of the plane, ready for many points.
-class PlaneMap {
- public:
-  explicit PlaneMap(const Affine& map)
-      : map_(map), is_identity_(map == Affine(2)), is_decimal_(all_decimal(map.entries())) {
-    if (!is_decimal_) {
-      for (const Number& entry : map.entries()) exact_.push_back(entry.rational());
-    }
-  }
-
-  NumberPoint operator()(const NumberPoint& p) const {
-    if (is_identity_) return p;
-    if (is_decimal_) {
-      const std::array<Number, 2> from{p.x, p.y};
-      std::array<Number, 2> image;
-      apply(map_, from, image);
-      return {std::move(image[0]), std::move(image[1])};
-    }
-    const Rational x = p.x.rational();
-    const Rational y = p.y.rational();
-    return {linear(&exact_[0], x, y), linear(&exact_[3], x, y)};
-  }
-
- private:
-  static bool all_decimal(std::span<const Number> entries) {
-    return std::all_of(entries.begin(), entries.end(),
-                       [](const Number& entry) { return entry.is_decimal(); });
-  }
-
-  static Rational linear(const Rational* row, const Rational& x, const Rational& y) {
-    Rational sum = row[0] * x;
-    if (sgn(row[1]) != 0) sum += row[1] * y;
-    if (sgn(row[2]) != 0) sum += row[2];
-    return sum;
-  }
-
-  const Affine& map_;
-  bool is_identity_;
-  bool is_decimal_;
-  std::vector<Rational> exact_;  ///< the entries, unless they are decimals
-};
 
 std::size_t words(const NumberPoint& p) { return plumbline::words(p.x) + plumbline::words(p.y); }
 

@@ -8,7 +8,7 @@ namespace plumbline {
 /// Size of a number in 64-bit words; of a decimal one word each for mantissa and denominator.
 inline std::size_t words(const Number& x) {
   if (x.is_decimal()) return x.mantissa() == 0 ? 1 : 2;
-  const Rational& value = x.rational();
+  const Rational& value = x.held_rational();
   return mpz_size(value.get_num_mpz_t()) + mpz_size(value.get_den_mpz_t());
 }
 
