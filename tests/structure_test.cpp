@@ -214,3 +214,68 @@ TEST_CASE("nested maps that make monstrous numbers are refused") {
     CHECK(error.code() == plumbline::ErrorCode::Limit);
   }
 }
+
+TEST_CASE("a million instances are walked one by one") {
+  Structure structure = structure_of({{"plan", "", {}}, {"row", "", {}}, {"room", "", {}}});
+  structure.structs[2].body = {model("0 0, 1 0")};
+  for (std::size_t i = 0; i < 1000; ++i) {
+    structure.structs[0].body.emplace_back(StructId(1));
+    structure.structs[0].body.emplace_back(translation(0, 3));
+    structure.structs[1].body.emplace_back(StructId(2));
+    structure.structs[1].body.emplace_back(translation(4, 0));
+  }
+  std::size_t count = 0;
+  plumbline::Traversal walk(structure);
+  while (walk.next()) ++count;
+  CHECK(count == 1'000'000);
+  CHECK_FALSE(walk.next());
+  const auto found = box(structure);
+  REQUIRE(found);
+  CHECK(found->high[0].rational() == 999 * 4 + 1);
+  CHECK(found->high[1].rational() == 999 * 3);
+}
+
+TEST_CASE("a filter keeps what stands within a category, where it was") {
+  const auto plan =
+      structure_of({{"plan", "", {model("9 9, 8 8"), translation(10, 0), StructId(1)}},
+                    {"walls", "layer", {translation(1, 0), model("0 0, 1 0"), StructId(2)}},
+                    {"doors", "", {model("0 0, 0 1")}}});
+  CHECK(listing(filter(plan, "layer")) ==
+        "11 0, 12 0 | (walls)\n"
+        "11 0, 11 1 | (walls/doors)\n");
+  CHECK(listing(filter(plan, "no such")).empty());
+  CHECK(listing(filter(filter(plan, "layer"), "layer")) == listing(filter(plan, "layer")));
+}
+
+TEST_CASE("a structure of space has no segments in the plane") {
+  try {
+    evaluate(structure_of({{"", "", {plumbline::cuboids({1, 1, 1})}}}));
+    FAIL("no error");
+  } catch (const plumbline::Error& error) {
+    CHECK(std::string(error.what()).find("dimension 3") != std::string::npos);
+  }
+}
+
+TEST_CASE("mixed dimensions are refused, both elements named") {
+  const auto mixed = structure_of(
+      {{"plan", "", {plumbline::Affine(3), StructId(1)}}, {"room", "", {model("0 0, 1 0")}}});
+  try {
+    dimension(mixed);
+    FAIL("no error");
+  } catch (const plumbline::Error& error) {
+    CHECK(std::string(error.what()) ==
+          "mixed dimensions: a model of dimension 2 (item 1 of room) and a map of dimension 3 "
+          "(item 1 of plan)");
+  }
+}
+
+TEST_CASE("vertices are identified exactly, or after rounding half away from zero") {
+  const auto near = structure_of({{"", "", {model("0 0, 1/3 1"), model("0.33333 1, -0.00005 0")}}});
+  CHECK(struct_to_lar(near).vertex_count() == 4);
+  const auto rounded = struct_to_lar(near, {4, false});
+  CHECK(rounded.vertex_count() == 3);
+  CHECK(rounded.coordinates.back() == plumbline::Number());
+  CHECK(rounded.coordinates[4] == plumbline::Number::decimal(-1, 4));  // -0.00005
+  CHECK(struct_to_lar(near, {3, false}).vertex_count() == 2);
+  CHECK_THROWS_AS(struct_to_lar(near, {-1, false}), plumbline::Error);
+}
