@@ -1,0 +1,124 @@
+// The models in a structure's JSON.
+
+#include "read/struct_json_model.hpp"
+
+#include <array>
+#include <utility>
+
+#include "plumbline/error.hpp"
+
+namespace plumbline {
+namespace {
+
+void read_vertices(const JsonValue& model, LarModel& result, Numbers& numbers) {
+  const JsonValue vertices = model.find("V");
+  if (!vertices) model.fail("neither a Struct, a map, a reference nor a model");
+  expect(vertices, JsonType::Array, "a list of points");
+  bool is_first = true;
+  for (JsonValue vertex = vertices.first(); vertex; vertex = vertex.next()) {
+    expect(vertex, JsonType::Array, "a point");
+    if (vertex.size() == 0) vertex.fail("a point without coordinates");
+    if (is_first) result.dimension = vertex.size();
+    is_first = false;
+    if (vertex.size() != result.dimension) vertex.fail("points of different dimensions");
+    for (JsonValue x = vertex.first(); x; x = x.next())
+      result.coordinates.push_back(number_of(x, numbers));
+  }
+}
+
+Cells cells_of(const JsonValue& array) {
+  expect(array, JsonType::Array, "a list of cells");
+  Cells result;
+  std::vector<std::uint32_t> vertices;
+  for (JsonValue cell = array.first(); cell; cell = cell.next()) {
+    expect(cell, JsonType::Array, "a cell, a list of vertices");
+    vertices.clear();
+    for (JsonValue v = cell.first(); v; v = v.next()) vertices.push_back(index_of(v));
+    result.push_back(vertices);
+  }
+  return result;
+}
+
+void read_cells(const JsonValue& model, LarModel& result) {
+  if (const JsonValue arrays = model.find("cells")) {
+    expect(arrays, JsonType::Array, "a list of arrays of cells");
+    for (JsonValue array = arrays.first(); array; array = array.next()) {
+      result.cells.push_back(cells_of(array));
+    }
+  }
+  for (const char* name : {"CV", "FV", "EV"}) {
+    if (const JsonValue array = model.find(name)) result.cells.push_back(cells_of(array));
+  }
+}
+
+LarModel grid(const JsonValue& value, const std::vector<std::string>& files) {
+  expect_members(value, {"type", "shape", "skeletons", "boundary"});
+  const auto flag = [&](const char* name) {
+    const JsonValue member = value.find(name);
+    if (member) expect(member, JsonType::Bool, "true or false");
+    return member && member.text() == "true";
+  };
+  std::vector<std::uint32_t> shape;
+  const JsonValue extents = value.find("shape");
+  expect(extents, JsonType::Array, "a list of whole numbers");
+  for (JsonValue extent = extents.first(); extent; extent = extent.next()) {
+    shape.push_back(index_of(extent));
+  }
+  if (shape.empty()) extents.fail("a grid of dimension 0");
+  const bool boundary = flag("boundary");
+  LarModel result = cuboids(shape, boundary || flag("skeletons"));
+  if (boundary) result = boundary_model(result);
+  result.source = source_of(value, "cuboids", files);
+  return result;
+}
+
+void read_rows(const JsonValue& rows, Model& model) {
+  expect(rows, JsonType::Array, "a list of lines and columns");
+  if (rows.size() != model.segments.size()) rows.fail("not as many rows as lines");
+  for (JsonValue row = rows.first(); row; row = row.next()) {
+    expect(row, JsonType::Array, "a line and a column");
+    if (row.size() != 2) row.fail("not a line and a column");
+    model.rows.push_back({index_of(row.first()), index_of(row.first().next())});
+  }
+}
+
+Model lines(const JsonValue& value, const std::vector<std::string>& files, Numbers& numbers) {
+  expect_members(value, {"type", "lines", "rows"});
+  Model result;
+  result.source = source_of(value, "lines", files);
+  const JsonValue list = value.find("lines");
+  expect(list, JsonType::Array, "a list of lines");
+  for (JsonValue line = list.first(); line; line = line.next()) {
+    std::array<Number, 4> x;
+    std::size_t count = 0;
+    expect(line, JsonType::Array, "a line, a list of two points");
+    for (JsonValue point = line.first(); point; point = point.next()) {
+      expect(point, JsonType::Array, "a point");
+      if (point.size() != 2 || count == x.size()) line.fail("not two points of the plane");
+      for (JsonValue c = point.first(); c; c = c.next()) x.at(count++) = number_of(c, numbers);
+    }
+    if (count != x.size()) line.fail("not two points of the plane");
+    result.segments.push_back({std::move(x[0]), std::move(x[1])},
+                              {std::move(x[2]), std::move(x[3])});
+  }
+  if (const JsonValue rows = value.find("rows")) read_rows(rows, result);
+  return result;
+}
+
+}  // namespace
+
+Struct::Item read_model(const JsonValue& value, const std::vector<std::string>& files,
+                        Numbers& numbers) {
+  if (value.find("lines")) return lines(value, files, numbers);
+  if (value.find("shape")) return grid(value, files);
+  expect_members(value, {"type", "V", "CV", "FV", "EV", "cells"});
+  LarModel result;
+  result.source = source_of(value, "model", files);
+  read_vertices(value, result, numbers);
+  read_cells(value, result);
+  if (result.cells.empty()) value.fail("a model without cells");
+  check(result, files);
+  return result;
+}
+
+}  // namespace plumbline
