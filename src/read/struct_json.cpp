@@ -65,7 +65,7 @@ class StructJsonReader {
     expect(def, JsonType::Object, "an object");
     const JsonValue body = def.find("body");
     Struct result;
-    result.name = def.key();
+    result.name = valid_line(def.key());
     if (!body) {
       result.body.push_back(read_model(def, structure_.files, numbers_));
     } else {
@@ -129,9 +129,9 @@ class StructJsonReader {
   Affine turned(const JsonValue& item, ApproximateAffine rotation, const JsonValue& angle,
                 const char* unit = "") {
     if (sgn(rotation.bound) != 0) {
-      std::string what = angle.is(JsonType::Array) ? std::string() : std::string(angle.text());
+      std::string what = angle.is(JsonType::Array) ? std::string() : valid_line(angle.text());
       for (JsonValue v = angle.first(); v; v = v.next()) {
-        what += (what.empty() ? "" : ", ") + std::string(v.text());
+        what += (what.empty() ? "" : ", ") + valid_line(v.text());
       }
       structure_.ledger.push_back({source_of(item, "r", structure_.files), "r(" + what + ")" + unit,
                                    shortest_text(nearest_double(rotation.bound)) + " rad"});

@@ -33,7 +33,7 @@ void expect_members(const JsonValue& object, std::initializer_list<std::string_v
 
 std::string string_of(const JsonValue& value) {
   expect(value, JsonType::String, "a string");
-  return std::string(value.text());
+  return valid_line(value.text());
 }
 
 std::uint32_t index_of(const JsonValue& value) {
@@ -68,7 +68,7 @@ Source source_of(const JsonValue& value, const char* element,
                  const std::vector<std::string>& files) {
   const auto own_file = static_cast<std::uint32_t>(files.size() - 1);
   const Place place = value.place();
-  Source result{own_file, place.line, place.column, element, std::string(value.key()), {}};
+  Source result{own_file, place.line, place.column, element, valid_line(value.key()), {}};
   if (const JsonValue line = value.find("line")) {
     result = {own_file, index_of(line), 0, element, {}, {}};
   }
