@@ -40,7 +40,7 @@ expect "help shows the commands and an example" 0 'arrange.*check.*info' "$plumb
 expect "each command's help has an example" 0 'plumbline check plan.svg --radius' "$plumbline" check --help
 expect "the version is told" 0 '^plumbline [0-9]+\.[0-9]+\.[0-9]+$' "$plumbline" --version
 expect "no command is a usage error" 2 'subcommand' "$plumbline"
-expect "an unknown command names the known ones" 2 'unknown command.*arrange, check, info, lar.*"chek"' "$plumbline" chek x.svg
+expect "an unknown command names the known ones" 2 'unknown command.*arrange, check, eval, info, lar, random.*"chek"' "$plumbline" chek x.svg
 expect "an unknown option is a usage error" 2 'radios' "$plumbline" check a.svg --radios 1
 expect "a missing file is said by name" 2 'none\.svg' "$plumbline" info none.svg
 expect "a directory is no drawing" 2 'plumbline: ' "$plumbline" info .
@@ -94,6 +94,20 @@ expect "decimals are the published variant's" 2 'published' "$plumbline" lar c.l
 expect "too many decimals are refused" 2 '12.*"13"' "$plumbline" lar c.lines --variant published --decimals 13
 expect "the published radius is positive" 2 'radius.*"0"' "$plumbline" lar c.lines --variant published --radius 0
 expect "a picture shows components" 0 'wrote p.svg' "$plumbline" lar c.lines --show components -o p.svg
+expect "a picture shows single polylines" 0 'wrote p.svg' "$plumbline" lar c.lines --show polylines -o p.svg
+expect "and the boundary of chosen faces" 0 'wrote p.svg' "$plumbline" lar c.lines --show boundary --faces 0 -o p.svg
+expect "a face that is not there is refused" 2 'no such face.*"1"' "$plumbline" lar c.lines --show boundary --faces 0,1 -o p.svg
+expect "chosen faces belong to that picture" 2 'boundary' "$plumbline" lar c.lines --faces 0 -o p.svg
+expect "it runs on one thread" 0 'wrote 1.json' "$plumbline" lar c.lines --trace 1.json --threads 1
+expect "and on two" 0 'wrote 2.json' "$plumbline" lar c.lines --trace 2.json --threads 2
+expect "with the same trace" 0 '' cmp 1.json 2.json
+expect "random segments are a drawing" 0 'wrote r.lines' "$plumbline" random 100 --scaling 0.5 --seed 4 -o r.lines
+expect "of as many segments" 0 '100 segments, 0 rejected' "$plumbline" lar r.lines
+"$plumbline" random 100 --scaling 0.5 --seed 4 >printed
+expect "the same seed prints the same rows" 0 '' cmp printed r.lines
+rm -f printed 1.json 2.json r.lines
+expect "a scaling must be finite" 2 'scaling.*"inf"' "$plumbline" random 1 --scaling inf
+expect "random segments go to a .lines file" 2 'lines' "$plumbline" random 1 -o r.svg
 expect "an unknown picture names the known ones" 2 'pruning' "$plumbline" lar c.lines --show rooms -o p.svg
 expect "the unit square is for drawings with extent, as published" 2 'width and height' "$plumbline" lar flat.lines --variant published --unit-square
 expect "and for all drawings, as repaired" 0 '2 vertices, 1 edges' "$plumbline" lar flat.lines --unit-square

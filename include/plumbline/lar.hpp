@@ -40,6 +40,17 @@ struct SegmentD {
 
 using Box = std::array<double, 4>;  ///< xmin, ymin, xmax, ymax
 
+using VertexPair = std::array<VertexId, 2>;  ///< an edge; two equal vertices are a point
+
+/// A LAR model (V, FV, EV): cells as lists of vertices.
+struct Model {
+  std::vector<PointD> vertices;
+  std::vector<VertexPair> edges;
+  Lists<VertexId> faces;
+
+  friend bool operator==(const Model&, const Model&) = default;
+};
+
 /// A graph (V, EV) in the plane. An isolated input point is an edge from its vertex to itself that
 /// has no sources.
 struct Graph {
@@ -109,6 +120,14 @@ struct Result {
 /// Error BadInput for a radius that is negative or not finite, or a coordinate beyond the largest
 /// double.
 Result arrange(const SegmentSet& input, const Options& options = {});
+
+/// The model with vertices no further apart than the radius (raised as above) merged, transitively,
+/// into their centroids. Edges of fewer than two and faces of fewer than three vertices, repeated
+/// cells and unused vertices are dropped. Order: vertices and edges ascending; faces as they were,
+/// each with its vertices as they were. **Heuristic**: faces thinner than the radius may overlap
+/// then. Requires: finite vertices. Section 2.9 (larSimplify). Throws: Error BadInput for a radius
+/// that is negative or not finite, or a cell with a vertex that the model has not.
+Model simplify(const Model& model, double radius);
 
 /// The boundary of a chain of faces: the halfedges with a face of the chain on their left and none
 /// on their right. Ascending. Section 2.11 (chain2BoundaryChain). Throws here and below: Error

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,16 +36,8 @@ struct Options {
   std::size_t threads = 0;
 };
 
-using VertexPair = std::array<VertexId, 2>;  ///< an edge; two equal vertices are a point
-
-/// A LAR model (V, FV, EV): cells as lists of vertices.
-struct Model {
-  std::vector<PointD> vertices;
-  std::vector<VertexPair> edges;
-  Lists<VertexId> faces;
-
-  friend bool operator==(const Model&, const Model&) = default;
-};
+using lar::Model;
+using lar::VertexPair;
 
 /// A quantised input segment and where it is cut. Equal ones are one fragment, reversed ones two.
 struct Fragment {
@@ -155,7 +148,18 @@ std::vector<SegmentD> lines_on_unit_square(const SegmentSet& input, int decimals
 /// its stages). Degenerate: what the original cannot do is a failure in the trace, and the stages
 /// that need it are missing. Cost: as the original's, buckets of long segments grow without bound.
 /// Throws: Error BadInput for decimals outside 0 to kMaxDecimals or a radius that is not positive
-/// and finite; Limit where buckets outgrow memory.
+/// and finite; Limit where buckets, or the pairs of vertices within the radius, outgrow memory.
 Trace run(std::vector<SegmentD> lines, const Options& options = {});
+
+/// The model over merged vertices: (V, EV) where it has no faces, or (V, FV, EV), where edges that
+/// became a point stay (Q10). Cells in the order of sets, faces then by length; vertices stay, used
+/// or not. Section 2.9 (larSimplify). Throws: Error BadInput for a model without edges, or a cell
+/// with a vertex that the model has not; as `run` for the radius.
+Model simplify(const Model& model, double radius = kRadius);
+
+/// The edges that bound a chain of faces, modulo 2: an edge is incident to the faces that have both
+/// its vertices. Ascending. Section 2.11 (chain2BoundaryChain). Throws: Error BadInput for a face
+/// that the model has not.
+std::vector<std::size_t> boundary_chain(const Model& model, std::span<const std::size_t> faces);
 
 }  // namespace plumbline::lar::published

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "plumbline/complex.hpp"
 #include "plumbline/published.hpp"
@@ -48,16 +50,26 @@ enum class LarShow {
   Explode,     ///< the same, pulled apart
   Numbers,     ///< the numbers of vertices, edges and faces
   Pruning,     ///< vertices before merging, clusters with their radii and centroids
+  // Of the faces; published: of the cells of `two_complex` where it has a value.
+  Filled,     ///< triangulated; those whose edges cross are empty and in the second colour
+  Polylines,  ///< boundaries, joined by their bridge edges
+  Boundary,   ///< numbered; chosen ones filled, with the boundary of their chain
 };
 struct LarPicture {
   LarShow show = LarShow::Faces;
-  double explode = 1.2;  ///< factor of the exploded view
-  bool y_up = false;     ///< whether y runs upwards
+  double explode = 1.2;                 ///< factor of the exploded view
+  bool y_up = false;                    ///< whether y runs upwards
+  std::vector<std::size_t> faces = {};  ///< chosen bounded faces, counted from 0; none: all
 };
 /// A picture of either variant as SVG. Colours depend on the numbers of the cells alone. Throws:
-/// Error BadInput for a factor below 1.
+/// Error BadInput for a factor below 1, a chosen face that is not there, and bridge edges of a
+/// complex that is not valid.
 std::string to_svg(const lar::Result& result, const LarPicture& options = {});
 std::string to_svg(const lar::published::Trace& trace, const LarPicture& options = {});
+
+/// The segments as rows "x1,y1,x2,y2", which `read` takes as a .lines file; the shortest decimals
+/// that round to the coordinates.
+std::string to_lines(std::span<const lar::SegmentD> segments);
 
 /// Writes a file whole or not at all: to a temporary beside it, then renamed. Throws: Error
 /// BadFile.

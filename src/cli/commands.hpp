@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -38,6 +39,7 @@ struct LarArguments {
   bool unit_square = false;
   std::optional<int> decimals;
   std::optional<double> radius;
+  std::size_t threads = 0;  ///< 0: as many as there are cores
   LarPicture picture;
   std::optional<std::string> trace;
   std::optional<std::string> output;
@@ -52,11 +54,21 @@ struct EvalArguments {
   std::optional<std::string> output;
 };
 
+inline constexpr std::size_t kMostRandomSegments = 10'000'000;
+
+struct RandomArguments {
+  std::size_t count = 0;
+  double scaling = 0.1;
+  std::uint64_t seed = 1;
+  std::optional<std::string> output;
+};
+
 /// Each command prints to standard output and returns its exit code. Throws: Error.
 ExitCode run(const ArrangeArguments& arguments);
 ExitCode run(const CheckArguments& arguments);
 ExitCode run(const InfoArguments& arguments);
 ExitCode run(const LarArguments& arguments);
 ExitCode run(const EvalArguments& arguments);
+ExitCode run(const RandomArguments& arguments);
 
 }  // namespace plumbline::cli

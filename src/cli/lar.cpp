@@ -93,6 +93,7 @@ ExitCode run_published(const LarArguments& arguments, const SegmentSet& input) {
   published::Options options;
   options.decimals = arguments.decimals.value_or(published::kDecimals);
   options.radius = arguments.radius.value_or(published::kRadius);
+  options.threads = arguments.threads;
   const published::Trace trace = [&] {
     const Progress progress("running the published float LAR pipeline");
     return published::run(arguments.unit_square
@@ -114,7 +115,7 @@ ExitCode run_repaired(const LarArguments& arguments, const SegmentSet& input) {
   const lar::Result result = [&] {
     const Progress progress("running the float LAR pipeline");
     return lar::arrange(arguments.unit_square ? lar::to_unit_square(input) : input,
-                        {arguments.radius});
+                        {arguments.radius, arguments.threads});
   }();
   write_outputs(arguments, result);
   return kAgree;
@@ -123,6 +124,9 @@ ExitCode run_repaired(const LarArguments& arguments, const SegmentSet& input) {
 }  // namespace
 
 ExitCode run(const LarArguments& arguments) {
+  if (!arguments.picture.faces.empty() && arguments.picture.show != LarShow::Boundary) {
+    throw Error(ErrorCode::BadInput, "--faces belongs to --show boundary");
+  }
   check_outputs(arguments.file, {{arguments.trace, {".json"}}, {arguments.output, {".svg"}}});
   const SegmentSet input = [&] {
     const Progress progress("reading " + arguments.file);

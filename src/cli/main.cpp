@@ -16,11 +16,25 @@ constexpr const char* kDescription =
     "  plumbline arrange plan.svg -o plan.json\n"
     "  plumbline check plan.svg --picture check.svg\n"
     "  plumbline lar plan.svg --show components -o components.svg\n"
-    "  plumbline eval table.json -o table.svg\n";
+    "  plumbline eval table.json -o table.svg\n"
+    "  plumbline random 5000 -o random.lines\n";
 constexpr const char* kExitCodes =
     "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input or usage, 3 "
     "internal.";
 constexpr const char* kFile = "A drawing: .svg, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv";
+
+constexpr const char* kLarExamples =
+    "Examples: plumbline lar plan.svg --variant published --trace plan.json\n"
+    "          plumbline lar plan.svg --show polylines -o polylines.svg\n"
+    "          plumbline lar plan.svg --show boundary --faces 0,3 -o boundary.svg";
+
+void add_threads(CLI::App& command, std::size_t& threads) {
+  command
+      .add_option("--threads", threads,
+                  "Use at most N threads [default: one for each core]; never changes the result")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+}
 
 template <class Arguments>
 CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
@@ -37,11 +51,7 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
           "Arrange with bucket (the default) or cgal (the reference, slower)")
       ->check(CLI::IsMember({"cgal", "bucket"}))
       ->type_name("ENGINE");
-  command
-      ->add_option("--threads", arguments.threads,
-                   "Use at most N threads [default: one for each core]; never changes the result")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  add_threads(*command, arguments.threads);
   command->add_flag("--verify", arguments.verify, "Arrange with both engines and compare");
   command->callback([&] { exit_code = run(arguments); });
   return command;
@@ -50,12 +60,14 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
 void add_lar_command(CLI::App& app, LarArguments& arguments, ExitCode& exit_code) {
   const std::map<std::string, bool> variants{{"published", true}, {"repaired", false}};
   const std::map<std::string, LarShow> pictures{
-      {"buckets", LarShow::Buckets}, {"components", LarShow::Components},
-      {"faces", LarShow::Faces},     {"explode", LarShow::Explode},
-      {"numbers", LarShow::Numbers}, {"pruning", LarShow::Pruning}};
+      {"buckets", LarShow::Buckets},  {"components", LarShow::Components},
+      {"faces", LarShow::Faces},      {"explode", LarShow::Explode},
+      {"numbers", LarShow::Numbers},  {"pruning", LarShow::Pruning},
+      {"filled", LarShow::Filled},    {"polylines", LarShow::Polylines},
+      {"boundary", LarShow::Boundary}};
   CLI::App* command =
       app.add_subcommand("lar", "The float LAR pipeline, stage by stage, as published or repaired");
-  command->footer("Example: plumbline lar plan.svg --variant published --trace plan.json");
+  command->footer(kLarExamples);
   command->add_option("FILE", arguments.file, kFile)->required()->type_name("");
   command->add_option("--variant", arguments.is_published, "repaired (the default) or published")
       ->transform(CLI::CheckedTransformer(variants).description(""))
@@ -76,11 +88,18 @@ void add_lar_command(CLI::App& app, LarArguments& arguments, ExitCode& exit_code
   command
       ->add_option("--show", arguments.picture.show,
                    "What -o draws: buckets, components, faces (the default), explode, numbers, "
-                   "pruning")
+                   "pruning, filled (triangulated faces), polylines (boundaries joined by bridge "
+                   "edges), boundary (of the chain of --faces)")
       ->transform(CLI::CheckedTransformer(pictures, CLI::ignore_case).description(""))
       ->type_name("WHAT");
   command->add_option("--factor", arguments.picture.explode, "Of --show explode [default: 1.2]")
       ->type_name("F");
+  command
+      ->add_option("--faces", arguments.picture.faces,
+                   "Of --show boundary: faces by the numbers that it shows [default: all]")
+      ->delimiter(',')
+      ->type_name("F,F,...");
+  add_threads(*command, arguments.threads);
   command->add_option("-o,--output", arguments.output, "Write a picture to an SVG file")
       ->type_name("FILE");
   command->callback([&] { exit_code = run(arguments); });
@@ -113,14 +132,36 @@ void add_eval_command(CLI::App& app, EvalArguments& arguments, ExitCode& exit_co
   command->callback([&] { exit_code = run(arguments); });
 }
 
+void add_random_command(CLI::App& app, RandomArguments& arguments, ExitCode& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "random", "Random segments, the same for the same seed: LAR's randomLines");
+  command->footer(
+      "Example: plumbline random 5000 --scaling 0.1 -o random.lines\n"
+      "Each is the difference of two random points of the unit square, scaled, about a third.");
+  command->add_option("N", arguments.count, "How many")
+      ->required()
+      ->check(CLI::Range(std::size_t{0}, kMostRandomSegments))
+      ->type_name("");
+  command->add_option("--scaling", arguments.scaling, "Of their lengths [default: 0.1]")
+      ->type_name("S");
+  command->add_option("--seed", arguments.seed, "Determines the segments [default: 1]")
+      ->type_name("K");
+  command
+      ->add_option("-o,--output", arguments.output,
+                   "Write them to a .lines file [default: to standard output]")
+      ->type_name("FILE");
+  command->callback([&] { exit_code = run(arguments); });
+}
+
 /// CLI11 would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const std::string command = argv[1];
-  for (const char* known : {"arrange", "check", "eval", "info", "lar"})
+  for (const char* known : {"arrange", "check", "eval", "info", "lar", "random"})
     if (command == known) return;
   throw Error(ErrorCode::BadInput,
-              "unknown command (the commands are arrange, check, eval, info, lar)", {}, command);
+              "unknown command (the commands are arrange, check, eval, info, lar, random)", {},
+              command);
 }
 
 ExitCode parse_and_run(int argc, char** argv) {
@@ -167,6 +208,9 @@ ExitCode parse_and_run(int argc, char** argv) {
 
   EvalArguments eval;
   add_eval_command(app, eval, exit_code);
+
+  RandomArguments random;
+  add_random_command(app, random, exit_code);
 
   try {
     refuse_unknown_command(argc, argv);

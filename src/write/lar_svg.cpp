@@ -1,37 +1,21 @@
 // Pictures of the float pipeline, as in the publication: buckets and components in colours, faces,
-// faces pulled apart, numbered cells, merged vertices.
+// faces pulled apart, numbered cells, merged vertices, filled faces, single polylines, boundaries.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <numeric>
 
 #include "plumbline/write.hpp"
-#include "write/lar_scene.hpp"
-#include "write/picture.hpp"
+#include "write/lar_canvas.hpp"
+#include "write/lar_solid.hpp"
 
 namespace plumbline {
 namespace {
 
+using picture::Canvas;
 using picture::LarScene;
-using Out = std::back_insert_iterator<std::string>;
-
-constexpr double kSide = 1000;  ///< longer side of a picture
-constexpr double kMargin = 20;
-constexpr double kPen = 1;
-constexpr double kSteps = 1000;  ///< coordinates have three decimals
-
-/// A strong colour; consecutive numbers are a golden angle apart on the colour wheel.
-std::string colour(std::size_t number) {
-  constexpr double kGoldenRatio = 0.6180339887498949, kDarkest = 60, kRange = 150;
-  const double hue = std::fmod(static_cast<double>(number % 1'000'000) * kGoldenRatio, 1.0);
-  const auto channel = [&](double phase) {
-    const double distance = std::abs(std::fmod(hue + phase, 1.0) * 6 - 3) - 1;
-    return static_cast<unsigned>(kDarkest + kRange * std::clamp(distance, 0.0, 1.0));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", channel(0), channel(2.0 / 3), channel(1.0 / 3));
-}
 
 picture::Box box_of(const LarScene& scene) {
   FloatComplex complex;
@@ -43,176 +27,149 @@ picture::Box box_of(const LarScene& scene) {
   return picture::bounds(complex);
 }
 
-/// Where points are drawn: as large as fits.
-class View {
- public:
-  View(const picture::Box& box, bool y_up)
-      : frame_(picture::fit(box, {{kMargin, kMargin}, {kSide - kMargin, kSide - kMargin}})),
-        y_up_(y_up) {}
+/// Middle of the outer boundary's box.
+PointD middle(const LarScene::Polygon& face) {
+  FloatComplex complex;
+  complex.vertices = face.front();
+  const picture::Box box = picture::bounds(complex);
+  return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+}
 
-  PointD operator()(const PointD& p) const {
-    const PointD q = frame_(p);
-    return {rounded(q.x), rounded(y_up_ ? kSide - q.y : q.y)};
+PointD middle(const PointD& p, const PointD& q) { return {(p.x + q.x) / 2, (p.y + q.y) / 2}; }
+
+std::string stroke(const std::string& ink) { return " stroke=\"" + ink + '"'; }
+
+/// A size of numbers at which so many of them can be told apart.
+double number_size(std::size_t cells) {
+  constexpr double kLargest = 16, kShare = 0.2;
+  return std::min(kLargest, kShare * Canvas::kSide / std::sqrt(static_cast<double>(cells + 1)));
+}
+
+void buckets(const LarScene& scene, Canvas& canvas) {
+  for (const LarScene::Line& l : scene.lines) {
+    canvas.line(l.a, l.b, stroke(picture::colour(l.bucket)));
   }
-  double length(double drawn) const { return rounded(drawn * frame_.scale); }
-  std::string text(const PointD& p) const { return picture::coordinates((*this)(p)); }
+}
 
- private:
-  static double rounded(double value) { return std::round(value * kSteps) / kSteps; }
-  picture::Frame frame_;
-  bool y_up_;
-};
+void edges(const LarScene& scene, std::span<const std::array<VertexId, 2>> pairs, Canvas& canvas,
+           const std::string& attributes = {}) {
+  for (const auto& [v, w] : pairs) {
+    canvas.line(scene.vertices[v], scene.vertices[w], attributes);
+  }
+}
 
-class Drawing {
- public:
-  Drawing(const LarScene& scene, const LarPicture& options)
-      : scene_(scene), options_(options), box_(box_of(scene)), view_(box_, options.y_up) {}
+void components(const LarScene& scene, Canvas& canvas) {
+  for (std::size_t c = 0; c < scene.components.size(); ++c) {
+    edges(scene, scene.components[c], canvas, stroke(picture::colour(c)) + " stroke-width=\"2\"");
+  }
+  edges(scene, scene.bridges, canvas, " stroke-dasharray=\"4\"");
+}
 
-  std::string svg() {
-    fmt::format_to(
-        Out(svg_),
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {0}\" fill=\"none\" "
-        "stroke=\"{1}\" stroke-width=\"{2}\" stroke-linecap=\"round\">\n",
-        kSide, picture::kInk, kPen);
-    switch (options_.show) {
-      case LarShow::Buckets:
-        buckets();
-        break;
-      case LarShow::Components:
-        components();
-        break;
-      case LarShow::Faces:
-        faces(1);
-        edges();
-        break;
-      case LarShow::Explode:
-        faces(options_.explode);
-        break;
-      case LarShow::Numbers:
-        numbers();
-        break;
-      case LarShow::Pruning:
-        pruning();
-        break;
+void faces(std::span<const LarScene::Polygon> polygons, Canvas& canvas) {
+  for (std::size_t f = 0; f < polygons.size(); ++f) {
+    canvas.paths(polygons[f], fmt::format(" fill=\"{}\" fill-opacity=\"0.5\"", picture::colour(f)));
+  }
+}
+
+/// The faces, each moved away from the drawing's corner by the factor.
+void exploded(const LarScene& scene, double factor, Canvas& canvas) {
+  const picture::Box box = canvas.box();
+  canvas.show({box.low, {box.low.x + box.width() * factor, box.low.y + box.height() * factor}});
+  std::vector<LarScene::Polygon> moved = scene.faces;
+  for (LarScene::Polygon& face : moved) {
+    const PointD from = middle(face);
+    const PointD shift{(factor - 1) * (from.x - box.low.x), (factor - 1) * (from.y - box.low.y)};
+    for (std::vector<PointD>& cycle : face)
+      for (PointD& p : cycle) p = {p.x + shift.x, p.y + shift.y};
+  }
+  faces(moved, canvas);
+}
+
+void numbers_of(std::span<const LarScene::Polygon> polygons, double size, Canvas& canvas) {
+  for (std::size_t f = 0; f < polygons.size(); ++f) {
+    canvas.text(middle(polygons[f]), f, 1.5 * size, picture::kMark);
+  }
+}
+
+constexpr const char* kTexts = " stroke=\"none\" font-family=\"sans-serif\" text-anchor=\"middle\"";
+
+void numbers(const LarScene& scene, Canvas& canvas) {
+  constexpr const char* kEdgeInk = "#5a6b7a";
+  const double size = number_size(scene.edges.size());
+  faces(scene.faces, canvas);
+  edges(scene, scene.edges, canvas);
+  canvas.open_group(kTexts);
+  numbers_of(scene.faces, size, canvas);
+  for (std::size_t e = 0; e < scene.edges.size(); ++e) {
+    const auto& [v, w] = scene.edges[e];
+    canvas.text(middle(scene.vertices[v], scene.vertices[w]), e, size, kEdgeInk);
+  }
+  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
+    canvas.text(scene.vertices[v], v, size, picture::kInk);
+  }
+  canvas.close_group();
+}
+
+void pruning(const LarScene& scene, Canvas& canvas) {
+  constexpr double kDot = 1.5;
+  const auto filled = [](const char* ink) {
+    return fmt::format(" fill=\"{}\" stroke=\"none\"", ink);
+  };
+  for (const LarScene::Line& l : scene.lines) canvas.line(l.a, l.b, " stroke-opacity=\"0.3\"");
+  for (const PointD& p : scene.unpruned) canvas.circle(p, kDot, filled(picture::kInk));
+  for (std::size_t c = 0; c < scene.clusters.size(); ++c) {
+    for (const VertexId v : scene.clusters[c]) {
+      const PointD& p = scene.unpruned[v];
+      canvas.circle(p, std::max(canvas.length(scene.radius), 2 * kDot), " stroke-width=\"0.5\"");
+      canvas.line(p, scene.centroids[c], stroke(picture::kMark));
     }
-    return svg_ + "</svg>\n";
+    canvas.circle(scene.centroids[c], kDot, filled(picture::kMark));
   }
+}
 
- private:
-  void line(const PointD& a, const PointD& b, const std::string& attributes) {
-    fmt::format_to(Out(svg_), "<path d=\"M{}L{}\"{}/>\n", view_.text(a), view_.text(b), attributes);
-  }
-  void line(const std::array<VertexId, 2>& edge, const std::string& attributes) {
-    line(scene_.vertices[edge[0]], scene_.vertices[edge[1]], attributes);
-  }
-  void circle(const PointD& p, double radius, const char* attributes) {
-    const PointD q = view_(p);
-    fmt::format_to(Out(svg_), "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", shortest_text(q.x),
-                   shortest_text(q.y), shortest_text(radius), attributes);
-  }
-
-  void buckets() {
-    for (const LarScene::Line& l : scene_.lines) {
-      line(l.a, l.b, fmt::format(" stroke=\"{}\"", colour(l.bucket)));
+/// Triangles in the colours of their faces; edges that could not be filled in the second colour.
+void filled(std::span<const LarScene::Polygon> polygons,
+            std::span<const std::vector<picture::TriangleD>> fillings, Canvas& canvas) {
+  for (std::size_t f = 0; f < polygons.size(); ++f) {
+    const std::string ink = picture::colour(f);
+    canvas.open_group(fmt::format(" fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.3\"", ink));
+    for (const picture::TriangleD& t : fillings[f]) {
+      canvas.paths({{{t.begin(), t.end()}}}, {});
     }
+    canvas.close_group();
   }
-
-  void components() {
-    for (std::size_t c = 0; c < scene_.components.size(); ++c)
-      for (const auto& edge : scene_.components[c]) {
-        line(edge, fmt::format(" stroke=\"{}\" stroke-width=\"2\"", colour(c)));
-      }
-    for (const auto& edge : scene_.bridges) line(edge, " stroke-dasharray=\"4\"");
+  for (std::size_t f = 0; f < polygons.size(); ++f) {
+    canvas.paths(polygons[f], fillings[f].empty() ? stroke(picture::kMark) : std::string());
   }
+}
 
-  void edges() {
-    for (const auto& edge : scene_.edges) line(edge, "");
+void polylines(std::span<const picture::Bridged> faces, Canvas& canvas) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    canvas.paths(faces[f].polylines,
+                 fmt::format(" fill=\"{}\" fill-opacity=\"0.3\"", picture::colour(f)));
   }
-
-  /// The faces, each moved away from the drawing's corner by the factor.
-  void faces(double factor) {
-    if (factor != 1) {
-      const PointD far{box_.low.x + box_.width() * factor, box_.low.y + box_.height() * factor};
-      view_ = View({box_.low, far}, options_.y_up);
+  for (const picture::Bridged& face : faces)
+    for (const auto& [p, q] : face.bridges) {
+      canvas.line(p, q, stroke(picture::kMark) + " stroke-width=\"2\"");
     }
-    for (std::size_t f = 0; f < scene_.faces.size(); ++f) {
-      const PointD middle = centre(scene_.faces[f].front());
-      const PointD shift{(factor - 1) * (middle.x - box_.low.x),
-                         (factor - 1) * (middle.y - box_.low.y)};
-      std::string path;
-      for (const std::vector<PointD>& cycle : scene_.faces[f]) {
-        char command = 'M';
-        for (const PointD& p : cycle) {
-          path += command + view_.text({p.x + shift.x, p.y + shift.y});
-          command = 'L';
-        }
-        path += 'Z';
-      }
-      fmt::format_to(Out(svg_),
-                     "<path fill=\"{}\" fill-opacity=\"0.5\" fill-rule=\"evenodd\" d=\"{}\"/>\n",
-                     colour(f), path);
-    }
-  }
+}
 
-  /// Middle of the box.
-  static PointD centre(const std::vector<PointD>& cycle) {
-    FloatComplex complex;
-    complex.vertices = cycle;
-    const picture::Box box = picture::bounds(complex);
-    return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+/// Chosen faces filled, their boundary as chain in the second colour, all faces numbered.
+void boundary(const LarScene& scene, std::span<const LarScene::Polygon> polygons,
+              std::span<const std::size_t> chosen,
+              std::span<const std::array<PointD, 2>> boundary_edges, Canvas& canvas) {
+  for (const std::size_t f : chosen) {
+    canvas.paths(polygons[f],
+                 fmt::format(" fill=\"{}\" stroke=\"none\"", picture::kDepthColours[1]));
   }
-
-  void number(const PointD& p, std::size_t value, double size, const char* ink) {
-    const PointD q = view_(p);
-    fmt::format_to(Out(svg_), "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\">{}</text>\n",
-                   shortest_text(q.x), shortest_text(q.y), shortest_text(size), ink, value);
+  edges(scene, scene.edges, canvas);
+  for (const auto& [p, q] : boundary_edges) {
+    canvas.line(p, q, stroke(picture::kMark) + " stroke-width=\"3\"");
   }
-
-  void numbers() {
-    constexpr double kLargest = 16, kShare = 0.2;
-    constexpr const char* kEdgeInk = "#5a6b7a";
-    const double cells = static_cast<double>(scene_.edges.size() + 1);
-    const double size =
-        std::round(std::min(kLargest, kShare * kSide / std::sqrt(cells)) * kSteps) / kSteps;
-    faces(1);
-    edges();
-    svg_ += "<g stroke=\"none\" font-family=\"sans-serif\" text-anchor=\"middle\">\n";
-    for (std::size_t f = 0; f < scene_.faces.size(); ++f) {
-      number(centre(scene_.faces[f].front()), f, 1.5 * size, picture::kMark);
-    }
-    for (std::size_t e = 0; e < scene_.edges.size(); ++e) {
-      const PointD& p = scene_.vertices[scene_.edges[e][0]];
-      const PointD& q = scene_.vertices[scene_.edges[e][1]];
-      number({(p.x + q.x) / 2, (p.y + q.y) / 2}, e, size, kEdgeInk);
-    }
-    for (std::size_t v = 0; v < scene_.vertices.size(); ++v) {
-      number(scene_.vertices[v], v, size, picture::kInk);
-    }
-    svg_ += "</g>\n";
-  }
-
-  void pruning() {
-    constexpr double kDot = 1.5;
-    const std::string filled = fmt::format("fill=\"{}\" stroke=\"none\"", picture::kInk);
-    const std::string centroid = fmt::format("fill=\"{}\" stroke=\"none\"", picture::kMark);
-    for (const LarScene::Line& l : scene_.lines) line(l.a, l.b, " stroke-opacity=\"0.3\"");
-    for (const PointD& p : scene_.unpruned) circle(p, kDot, filled.c_str());
-    for (std::size_t c = 0; c < scene_.clusters.size(); ++c) {
-      for (const VertexId v : scene_.clusters[c]) {
-        const PointD& p = scene_.unpruned[v];
-        circle(p, std::max(view_.length(scene_.radius), 2 * kDot), "stroke-width=\"0.5\"");
-        line(p, scene_.centroids[c], fmt::format(" stroke=\"{}\"", picture::kMark));
-      }
-      circle(scene_.centroids[c], kDot, centroid.c_str());
-    }
-  }
-
-  const LarScene& scene_;
-  LarPicture options_;
-  picture::Box box_;
-  View view_;
-  std::string svg_;
-};
+  canvas.open_group(kTexts);
+  numbers_of(polygons, number_size(polygons.size()), canvas);
+  canvas.close_group();
+}
 
 void check(const LarPicture& options) {
   if (std::isfinite(options.explode) && options.explode >= 1) return;
@@ -220,18 +177,56 @@ void check(const LarPicture& options) {
               shortest_text(options.explode));
 }
 
+template <class Result>
+void draw(const Result& result, const LarPicture& options, const LarScene& scene, Canvas& canvas) {
+  switch (options.show) {
+    case LarShow::Buckets:
+      return buckets(scene, canvas);
+    case LarShow::Components:
+      return components(scene, canvas);
+    case LarShow::Faces:
+      faces(scene.faces, canvas);
+      return edges(scene, scene.edges, canvas);
+    case LarShow::Explode:
+      return exploded(scene, options.explode, canvas);
+    case LarShow::Numbers:
+      return numbers(scene, canvas);
+    case LarShow::Pruning:
+      return pruning(scene, canvas);
+    case LarShow::Filled:
+      return filled(picture::solid_faces(result), picture::fillings(result), canvas);
+    case LarShow::Polylines:
+      return polylines(picture::bridged(result), canvas);
+    case LarShow::Boundary: {
+      const std::vector<LarScene::Polygon> polygons = picture::solid_faces(result);
+      std::vector<std::size_t> chosen = options.faces;
+      if (chosen.empty()) {
+        chosen.resize(polygons.size());
+        std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+      }
+      const auto found = picture::boundary(result, chosen);
+      return boundary(scene, polygons, chosen, found, canvas);
+    }
+  }
+}
+
+template <class Result>
+std::string picture_of(const Result& result, const LarPicture& options) {
+  check(options);
+  const LarScene scene = picture::scene(result);
+  Canvas canvas(box_of(scene), options.y_up);
+  draw(result, options, scene, canvas);
+  return canvas.svg();
+}
+
 }  // namespace
 
 std::string to_svg(const lar::Result& result, const LarPicture& options) {
-  check(options);
-  const LarScene scene = picture::scene(result);
-  return Drawing(scene, options).svg();
+  return picture_of(result, options);
 }
 
 std::string to_svg(const lar::published::Trace& trace, const LarPicture& options) {
-  check(options);
-  const LarScene scene = picture::scene(trace);
-  return Drawing(scene, options).svg();
+  return picture_of(trace, options);
 }
 
 }  // namespace plumbline

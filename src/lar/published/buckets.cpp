@@ -13,8 +13,10 @@ namespace {
 
 constexpr std::size_t kSmallBucket = 4;
 constexpr std::size_t kLeastDrop = 7;
-/// Buckets of long segments can double at every step: this many members in all take gigabytes.
-constexpr std::size_t kMaxMembers = std::size_t{1} << 28U;
+
+[[noreturn]] void throw_too_many() {
+  throw Error(ErrorCode::Limit, "the published buckets repeat the segments without bound");
+}
 
 Halves split_on_threshold(std::span<const Box> boxes, const Bucket& bucket, std::size_t axis) {
   if (bucket.empty()) fail("IndexError", "list index out of range", "centroid");
@@ -24,7 +26,9 @@ Halves split_on_threshold(std::span<const Box> boxes, const Bucket& bucket, std:
 /// Final and pending buckets (splitting).
 class Splitting {
  public:
-  explicit Splitting(Bucket all) { pending_.push_back(std::move(all)); }
+  Splitting(Bucket all, std::size_t max_members) : max_members_(max_members) {
+    pending_.push_back(std::move(all));
+  }
 
   bool done() const { return pending_.empty(); }
   Bucket pop() {
@@ -37,9 +41,7 @@ class Splitting {
     const bool is_final = (below < kSmallBucket && above < kSmallBucket) ||
                           members - below < kLeastDrop || members - above < kLeastDrop;
     members_ += below + above;
-    if (members_ > kMaxMembers) {
-      throw Error(ErrorCode::Limit, "the published buckets repeat the segments without bound");
-    }
+    if (members_ > max_members_) throw_too_many();
     for (Bucket* half : {&halves.below, &halves.above}) {
       if (is_final) {
         final_.insert(std::move(*half));
@@ -53,11 +55,13 @@ class Splitting {
  private:
   std::vector<Bucket> pending_;
   std::set<Bucket> final_;
+  std::size_t max_members_;
   std::size_t members_ = 0;
 };
 
 /// Per box the union of its buckets, without itself (geomPartitionate).
-Lists<SegmentId> partners(std::size_t boxes, const std::set<Bucket>& buckets) {
+Lists<SegmentId> partners(std::size_t boxes, const std::set<Bucket>& buckets,
+                          std::size_t max_members) {
   std::vector<std::vector<const Bucket*>> buckets_of(boxes);
   for (const Bucket& bucket : buckets)
     for (const EdgeId e : bucket) buckets_of[e].push_back(&bucket);
@@ -73,6 +77,7 @@ Lists<SegmentId> partners(std::size_t boxes, const std::set<Bucket>& buckets) {
       }
     }
     std::sort(others.begin(), others.end());
+    if (result.flat().size() + others.size() > max_members) throw_too_many();
     result.push_back(others);
   }
   return result;
@@ -80,10 +85,10 @@ Lists<SegmentId> partners(std::size_t boxes, const std::set<Bucket>& buckets) {
 
 }  // namespace
 
-Lists<SegmentId> box_buckets(std::span<const Box> boxes) {
+Lists<SegmentId> box_buckets(std::span<const Box> boxes, std::size_t max_members) {
   Bucket all;
   for (std::size_t i = 0; i < boxes.size(); ++i) all.emplace_back(i);
-  Splitting splitting(std::move(all));
+  Splitting splitting(std::move(all), max_members);
   while (!splitting.done()) {
     const Bucket bucket = splitting.pop();
     const Halves in_y = split_on_threshold(boxes, bucket, 1);
@@ -92,7 +97,7 @@ Lists<SegmentId> box_buckets(std::span<const Box> boxes) {
     splitting.add(in_y.above.size(), std::move(above));
     splitting.add(in_y.below.size(), std::move(below));
   }
-  return partners(boxes.size(), splitting.final_buckets());
+  return partners(boxes.size(), splitting.final_buckets(), max_members);
 }
 
 }  // namespace plumbline::lar::published

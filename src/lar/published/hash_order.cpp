@@ -39,4 +39,6 @@ std::uint64_t python_hash(const Cell& cell) {
   return tuple_hash(std::span(cell.vertices).first(cell.vertices[0] == cell.vertices[1] ? 1 : 2));
 }
 
+std::uint64_t python_hash(const std::vector<VertexId>& tuple) { return tuple_hash(tuple); }
+
 }  // namespace plumbline::lar::published

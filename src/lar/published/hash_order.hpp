@@ -17,11 +17,12 @@ struct Cell {
 };
 
 /// Hashes of CPython 2.7 on 64 bits, without randomisation: of a text, a number, a tuple of two, of
-/// one or two numbers.
+/// one or two, of any number of numbers.
 std::uint64_t python_hash(std::string_view text);
 std::uint64_t python_hash(std::size_t number);
 std::uint64_t python_hash(const VertexPair& pair);
 std::uint64_t python_hash(const Cell& cell);
+std::uint64_t python_hash(const std::vector<VertexId>& tuple);
 
 /// The distinct keys in the order in which CPython 2.7 lists a set or a dictionary to which they
 /// were added one by one: that of its table, with open addressing and growth by four. It decides

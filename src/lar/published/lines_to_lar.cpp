@@ -1,18 +1,12 @@
-// From fragments to a simplified 1-complex, sections 2.3 and 2.9 (lines2lar, larSimplify).
+// From fragments to a 1-complex, section 2.3 (lines2lar).
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
-#include "lar/points.hpp"
 #include "lar/published/hash_order.hpp"
 #include "lar/published/stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {
-
-/// Below this length the original's rank computation takes an edge for a point.
-constexpr double kLeastLength = 1e-6;
 
 PointD point_at(const SegmentD& s, double parameter) {
   return {s.a.x + parameter * (s.b.x - s.a.x), s.a.y + parameter * (s.b.y - s.a.y)};
@@ -26,10 +20,6 @@ std::vector<PointD> outline(const Fragment& fragment) {
   }
   points.push_back(fragment.segment.b);
   return points;
-}
-
-VertexPair sorted(const VertexPair& pair) {
-  return {std::min(pair[0], pair[1]), std::max(pair[0], pair[1])};
 }
 
 }  // namespace
@@ -50,23 +40,6 @@ Split split(std::span<const Fragment> fragments, const Vcode& vcode) {
     result.edge_count_with_duplicates += vertices.size() * (vertices.size() - 1) / 2;
   }
   result.model.edges = edges.keys();
-  return result;
-}
-
-Model simplify(const Model& raw, const Pruned& pruned) {
-  const auto length = [&](const VertexPair& edge) {
-    return std::sqrt(squared_distance(raw.vertices[edge[0]], raw.vertices[edge[1]]));
-  };
-  const bool keeps_points = !raw.edges.empty() && length(raw.edges.front()) <= kLeastLength;
-  HashTable<Cell> cells;
-  for (const VertexPair& edge : raw.edges) {
-    const VertexPair mapped = sorted({pruned.vertex_map[edge[0]], pruned.vertex_map[edge[1]]});
-    if (keeps_points || mapped[0] != mapped[1]) cells.insert({mapped});
-  }
-  Model result{pruned.vertices, {}, {}};
-  for (const Cell& cell : cells.listed()) result.edges.push_back(cell.vertices);
-  std::stable_partition(result.edges.begin(), result.edges.end(),
-                        [](const VertexPair& edge) { return edge[0] == edge[1]; });
   return result;
 }
 

@@ -7,44 +7,69 @@
 #include "lar/near_points.hpp"
 #include "lar/published/hash_order.hpp"
 #include "lar/published/stages.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline::lar::published {
 namespace {
 
-std::vector<VertexPair> close_pairs(std::span<const PointD> vertices, double radius) {
+std::vector<VertexPair> close_pairs(std::span<const PointD> vertices, double radius,
+                                    std::size_t max_pairs) {
   const NearPoints near_points(vertices, radius);
   std::vector<VertexPair> result;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     near_points.for_each(i, [&](std::size_t j) {
       if (i < j) result.push_back({VertexId(i), VertexId(j)});
     });
+    if (result.size() > max_pairs) {
+      throw Error(ErrorCode::Limit, "too many pairs of vertices are within the radius");
+    }
   }
   std::sort(result.begin(), result.end());
   return result;
 }
 
-/// Per vertex those near it, itself too, in the order in which a graph was given the pairs.
-std::vector<HashTable<std::size_t>> near_graph(std::size_t n, std::span<const VertexPair> close) {
-  std::vector<VertexPair> pairs(close.begin(), close.end());
-  for (std::size_t v = 0; v < n; ++v) pairs.push_back({VertexId(v), VertexId(v)});
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<HashTable<std::size_t>> graph(n);
-  for (const auto& [v, w] : HashTable<VertexPair>(pairs).listed()) {
-    graph[v].insert(w);
-    graph[w].insert(v);
+/// The graph of nearness. Each vertex is near itself.
+class NearGraph {
+ public:
+  NearGraph(std::size_t n, std::span<const VertexPair> close) : begin_(n + 1, 0) {
+    std::vector<VertexPair> pairs(close.begin(), close.end());
+    for (std::size_t v = 0; v < n; ++v) pairs.push_back({VertexId(v), VertexId(v)});
+    std::sort(pairs.begin(), pairs.end());
+    pairs = HashTable<VertexPair>(pairs).listed();
+    for (const auto& [v, w] : pairs) {
+      ++begin_[v + 1];
+      if (v != w) ++begin_[w + 1];
+    }
+    for (std::size_t v = 0; v < n; ++v) begin_[v + 1] += begin_[v];
+    near_.resize(begin_.back());
+    std::vector<std::size_t> next = begin_;
+    for (const auto& [v, w] : pairs) {
+      near_[next[v]++] = w;
+      if (v != w) near_[next[w]++] = v;
+    }
   }
-  return graph;
-}
+
+  bool is_alone(std::size_t v) const { return begin_[v + 1] - begin_[v] == 1; }
+  /// Those near v, as a dictionary lists them that was given the pairs as a set lists them.
+  std::vector<std::size_t> listed(std::size_t v) const {
+    HashTable<std::size_t> table;
+    for (std::size_t i = begin_[v]; i < begin_[v + 1]; ++i) table.insert(near_[i]);
+    return table.listed();
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<VertexId> near_;
+};
 
 /// The cluster of the vertex; marks its members as visited.
-std::vector<std::size_t> cluster_of(std::size_t vertex,
-                                    const std::vector<HashTable<std::size_t>>& graph,
+std::vector<std::size_t> cluster_of(std::size_t vertex, const NearGraph& graph,
                                     std::vector<bool>& visited) {
   std::vector<std::size_t> queue{vertex};
   visited[vertex] = true;
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    if (graph[queue[i]].size() == 1) continue;
-    for (const std::size_t w : graph[queue[i]].listed()) {
+    if (graph.is_alone(queue[i])) continue;
+    for (const std::size_t w : graph.listed(queue[i])) {
       if (visited[w]) continue;
       visited[w] = true;
       queue.push_back(w);
@@ -63,10 +88,10 @@ PointD centroid(std::span<const PointD> points, std::span<const std::size_t> mem
 
 }  // namespace
 
-Pruned prune_vertices(std::span<const PointD> vertices, double radius) {
+Pruned prune_vertices(std::span<const PointD> vertices, double radius, std::size_t max_pairs) {
   Pruned result;
-  result.close = close_pairs(vertices, radius);
-  const auto graph = near_graph(vertices.size(), result.close);
+  result.close = close_pairs(vertices, radius, max_pairs);
+  const NearGraph graph(vertices.size(), result.close);
   std::vector<bool> visited(vertices.size(), false);
   result.vertex_map.resize(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {

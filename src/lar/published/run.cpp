@@ -17,10 +17,7 @@ void check(const Options& options) {
     throw Error(ErrorCode::BadInput, "the number of decimals must be from 0 to 12", {},
                 std::to_string(options.decimals));
   }
-  if (!(std::isfinite(options.radius) && options.radius > 0)) {
-    throw Error(ErrorCode::BadInput, "the radius must be finite and positive", {},
-                shortest_text(options.radius));
-  }
+  check_radius(options.radius);
 }
 
 /// Runs one stage; false where it failed.
@@ -153,6 +150,12 @@ void run_stages(Trace& trace) {
 }
 
 }  // namespace
+
+void check_radius(double radius) {
+  if (std::isfinite(radius) && radius > 0) return;
+  throw Error(ErrorCode::BadInput, "the radius must be finite and positive", {},
+              shortest_text(radius));
+}
 
 void fail(const char* error, const char* message, const char* function) {
   throw StageFailure{{"", error, message, function}};

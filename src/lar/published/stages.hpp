@@ -20,6 +20,9 @@ struct StageFailure {
 /// Throws StageFailure. The stage is filled in by `run`.
 [[noreturn]] void fail(const char* error, const char* message, const char* function);
 
+/// Throws: Error BadInput for a radius that is not positive and finite.
+void check_radius(double radius);
+
 /// Lines and rectangles of SVG text, mapped to the unit square (svg2lines): elements that stand on
 /// a text line of their own and have their attributes in the one order that the patterns know (S2
 /// to S5, S7); integers divide as integers (S1). Rectangles as four sides or as one diagonal. Fails
@@ -35,11 +38,14 @@ std::vector<SegmentD> to_unit_square(std::span<const SegmentD> segments, const V
 /// The quantised containment box of every segment (containment2DBoxes). Section 2.1.
 std::vector<Box> containment_boxes(std::span<const SegmentD> lines, const Vcode& vcode);
 
+/// Buckets of long segments can double at every step: this many members take a gigabyte.
+inline constexpr std::size_t kMaxMembers = std::size_t{1} << 28U;
 /// Per box the others that share a final bucket with it, ascending (boxBuckets, geomPartitionate):
 /// every bucket is split at the 1D centroid in y, each half in x; a half's parts are final when
 /// both have fewer than four members or one drops fewer than seven. Fails where the centroid of
-/// equal values is above them by rounding, and for no boxes (I9). Section 2.1.
-Lists<SegmentId> box_buckets(std::span<const Box> boxes);
+/// equal values is above them by rounding, and for no boxes (I9). Throws: Error Limit where more
+/// than so many members pass through buckets, or others are listed. Section 2.1.
+Lists<SegmentId> box_buckets(std::span<const Box> boxes, std::size_t max_members = kMaxMembers);
 
 /// Result of `line_intersection`.
 struct Intersections {
@@ -63,8 +69,12 @@ struct Split {
 /// quantised texts are, numbered by first use. Section 2.3.
 Split split(std::span<const Fragment> fragments, const Vcode& vcode);
 
-/// The quotient by the transitive closure of nearness (pruneVertices; Q1, Q2). Section 2.9.
-Pruned prune_vertices(std::span<const PointD> vertices, double radius);
+/// So many pairs take some gigabytes.
+inline constexpr std::size_t kMaxPairs = std::size_t{1} << 26U;
+/// The quotient by the transitive closure of nearness (pruneVertices; Q1, Q2). Throws: Error Limit
+/// for more than so many pairs within the radius. Section 2.9.
+Pruned prune_vertices(std::span<const PointD> vertices, double radius,
+                      std::size_t max_pairs = kMaxPairs);
 
 /// Edges over the merged vertices, without those that became a point, each once (larSimplify), in
 /// the order of a set; but where the first raw edge is a point, points stay (I10). Section 2.9.
@@ -151,9 +161,5 @@ Model two_complex(const Model& lar, std::span<const std::vector<VertexPair>> cyc
 std::vector<std::vector<VertexPair>> bridge_edges(
     std::span<const PointD> vertices, std::span<const std::vector<VertexPair>> components,
     const CycleCells& cells);
-
-/// The edges that bound a chain of faces, modulo 2: an edge is incident to the faces that have both
-/// its vertices. Ascending. Section 2.11 (chain2BoundaryChain).
-std::vector<std::size_t> boundary_chain(const Model& model, std::span<const std::size_t> faces);
 
 }  // namespace plumbline::lar::published

@@ -2,9 +2,11 @@
 // (chain2BoundaryChain).
 
 #include <algorithm>
+#include <string>
 
 #include "lar/published/hash_order.hpp"
 #include "lar/published/stages.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline::lar::published {
 
@@ -34,6 +36,10 @@ Model two_complex(const Model& lar, std::span<const std::vector<VertexPair>> cyc
 std::vector<std::size_t> boundary_chain(const Model& model, std::span<const std::size_t> faces) {
   std::vector<std::size_t> times(model.edges.size(), 0);
   for (const std::size_t f : faces) {
+    if (f >= model.faces.size()) {
+      throw Error(ErrorCode::BadInput, "a chain of faces has a face that the model has not", {},
+                  std::to_string(f));
+    }
     std::vector<bool> is_in_face(model.vertices.size(), false);
     for (const VertexId v : model.faces[f]) is_in_face[v] = true;
     for (std::size_t e = 0; e < model.edges.size(); ++e) {

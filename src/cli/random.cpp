@@ -1,0 +1,22 @@
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/outputs.hpp"
+#include "plumbline/published.hpp"
+
+namespace plumbline::cli {
+
+ExitCode run(const RandomArguments& arguments) {
+  check_outputs({}, {{arguments.output, {".lines"}}});
+  const std::string rows =
+      to_lines(lar::published::random_lines(arguments.count, arguments.scaling, arguments.seed));
+  if (!arguments.output) {
+    fmt::print("{}", rows);
+    return kAgree;
+  }
+  write_file(*arguments.output, rows);
+  fmt::print("wrote {}\n", *arguments.output);
+  return kAgree;
+}
+
+}  // namespace plumbline::cli
