@@ -108,6 +108,19 @@ expect "the same seed prints the same rows" 0 '' cmp printed r.lines
 rm -f printed 1.json 2.json r.lines
 expect "a scaling must be finite" 2 'scaling.*"inf"' "$plumbline" random 1 --scaling inf
 expect "random segments go to a .lines file" 2 'lines' "$plumbline" random 1 -o r.svg
+structures=$examples/../structures
+expect "a structure is evaluated" 0 'instances +500.*dimension +2.*vertices +2000.cells +500' "$plumbline" eval "$structures/tables.json" -o t.json
+expect "to a LAR model" 0 '"CV"' grep -o '"CV"' t.json
+expect "which is a drawing" 0 '2000 vertices, 2000 edges' "$plumbline" arrange "$structures/tables.json" --verify
+expect "a structure of space has a picture" 0 'box +0 0 0 .. 100 30 30.vertices +31451.cells +33900' "$plumbline" eval "$structures/cubes.json" --merge-cells -o p.svg
+expect "but no arrangement" 2 'dimension 3' "$plumbline" arrange "$structures/cubes.json"
+expect "a category is a part" 0 'instances +400' "$plumbline" eval "$structures/tables.json" --category chair
+expect "a drawing is a structure" 0 'wrote s.json' "$plumbline" eval "$examples/dwelling.svg" --structure -o s.json
+expect "with the same complex" 0 'signature' bash -c "'$plumbline' arrange s.json | grep signature | grep -f <('$plumbline' arrange '$examples/dwelling.svg' | grep signature)"
+expect "a rotation that was replaced is told" 0 'r.30. degrees within 1e-15 rad' "$plumbline" eval "$structures/robot_arm.json"
+echo '{"root": "S", "defs": {"S": {"body": [{"ref": "T"}]}, "T": {"body": [{"ref": "S"}]}}}' >cycle.json
+expect "a cycle is told by its names" 2 'cycle of references: "S/T/S"' "$plumbline" eval cycle.json -o t.json
+rm -f t.json p.svg s.json cycle.json
 expect "an unknown picture names the known ones" 2 'pruning' "$plumbline" lar c.lines --show rooms -o p.svg
 expect "the unit square is for drawings with extent, as published" 2 'width and height' "$plumbline" lar flat.lines --variant published --unit-square
 expect "and for all drawings, as repaired" 0 '2 vertices, 1 edges' "$plumbline" lar flat.lines --unit-square
