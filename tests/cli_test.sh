@@ -113,6 +113,8 @@ expect "a structure is evaluated" 0 'instances +500.*dimension +2.*vertices +200
 expect "to a LAR model" 0 '"CV"' grep -o '"CV"' t.json
 expect "which is a drawing" 0 '2000 vertices, 2000 edges' "$plumbline" arrange "$structures/tables.json" --verify
 expect "a structure of space has a picture" 0 'box +0 0 0 .. 100 30 30.vertices +31451.cells +33900' "$plumbline" eval "$structures/cubes.json" --merge-cells -o p.svg
+expect "a plan is embedded in space" 0 'dimension +3.box +-24 -3 0 .. 24 24 0' "$plumbline" eval "$structures/dwelling.json" --embed 1
+expect "a boundary has facets" 0 'cells +36' "$plumbline" eval "$structures/dwelling.json" --boundary -o p.svg
 expect "but no arrangement" 2 'dimension 3' "$plumbline" arrange "$structures/cubes.json"
 expect "a category is a part" 0 'instances +400' "$plumbline" eval "$structures/tables.json" --category chair
 expect "a drawing is a structure" 0 'wrote s.json' "$plumbline" eval "$examples/dwelling.svg" --structure -o s.json

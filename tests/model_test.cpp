@@ -240,3 +240,11 @@ TEST_CASE("a fan of triangles covers a polygon, a cone of triangles makes tetrah
   CHECK(text(simplicial_fan(sides, 0)) == "0,1,2 0,2,3 0,3,4");
   CHECK(text(simplicial_fan(cells({{0, 1, 2}}), 3)) == "3,0,1,2");
 }
+
+TEST_CASE("faces without edges get them, and so a boundary") {
+  const LarModel faces{{}, 2, cuboids({3, 3}).coordinates, {cuboids({3, 3}).cells[0]}};
+  const LarModel triple = with_edges(faces);
+  REQUIRE(triple.cells.size() == 2);
+  CHECK(triple.cells[1].size() == 24);
+  CHECK(boundary_model(triple).cells[0].size() == 12);
+}

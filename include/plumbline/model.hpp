@@ -109,4 +109,7 @@ struct ModelEdges {
 ModelEdges edges(const LarModel& model);
 inline constexpr std::size_t kMaxPolygon = 10'000;
 
+/// The model with these edges as one more array: (V, FV) becomes (V, FV, EV).
+LarModel with_edges(const LarModel& model);
+
 }  // namespace plumbline

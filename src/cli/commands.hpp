@@ -49,7 +49,9 @@ struct EvalArguments {
   std::string file;
   std::optional<std::string> category;
   std::optional<int> decimals;
+  int embed = 0;
   bool merge_cells = false;
+  bool boundary = false;
   bool as_structure = false;
   std::optional<std::string> output;
 };

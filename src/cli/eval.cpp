@@ -43,6 +43,24 @@ void print_model(const LarModel& model) {
   for (const Cells& cells : model.cells) fmt::print("cells        {}\n", cells.size());
 }
 
+/// A structure of one model.
+Structure structure_of(LarModel model, bool y_up) {
+  Structure structure;
+  structure.y_up = y_up;
+  structure.structs.push_back({"", "", {std::move(model)}});
+  structure.root = StructId(0);
+  return structure;
+}
+
+/// The boundary of the chain of all cells. Cells of the plane without edges get them first.
+LarModel boundary(const LarModel& model) {
+  const bool needs_edges = model.dimension == 2 && model.cells.size() == 1;
+  if (!needs_edges && model.cells.size() < 2) {
+    throw Error(ErrorCode::BadInput, "the boundary of cells without facets, (V, CV), is not known");
+  }
+  return boundary_model(needs_edges ? with_edges(model) : model);
+}
+
 /// The structure as lines of the plane; one of space in an oblique view, (x + y/2, z + y/4).
 SegmentSet drawn(const Structure& structure) {
   constexpr std::size_t kSpace = 3;
@@ -52,11 +70,7 @@ SegmentSet drawn(const Structure& structure) {
   view(1, 1) = Number(Rational(1, 4));
   view(1, 2) = Number(Rational(1));
   LarModel model = struct_to_lar(structure, {std::nullopt, true});
-  Structure flat;
-  flat.y_up = structure.y_up;
-  flat.structs.push_back({"", "", {embed(apply(view, std::move(model)), -1)}});
-  flat.root = StructId(0);
-  return evaluate(flat);
+  return evaluate(structure_of(embed(apply(view, std::move(model)), -1), structure.y_up));
 }
 
 }  // namespace
@@ -69,12 +83,17 @@ ExitCode run(const EvalArguments& arguments) {
     structure = read(arguments.file);
   }
   if (arguments.category) structure = filter(structure, *arguments.category);
+  if (arguments.embed != 0) structure = embed(structure, arguments.embed);
   print_structure(structure);
   SegmentSet report;  // nothing but what was refused and replaced
   std::swap(report.files, structure.files);
   std::swap(report.rejected, structure.rejected);
   std::swap(report.ledger, structure.ledger);
-  const LarModel model = struct_to_lar(structure, {arguments.decimals, arguments.merge_cells});
+  LarModel model = struct_to_lar(structure, {arguments.decimals, arguments.merge_cells});
+  if (arguments.boundary) {
+    model = boundary(model);
+    structure = structure_of(model, structure.y_up);
+  }
   print_model(model);
   fmt::print("{} rejected\n{}{}\n", report.rejected.size(), rejected_lines(report),
              exactness_line(report));

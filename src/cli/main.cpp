@@ -119,6 +119,11 @@ void add_eval_command(CLI::App& app, EvalArguments& arguments, ExitCode& exit_co
                    "Identify vertices that are equal after rounding to N decimals [default: exact]")
       ->type_name("N");
   command->add_flag("--merge-cells", arguments.merge_cells, "Keep repeated cells once");
+  command->add_flag("--boundary", arguments.boundary,
+                    "The boundary of all cells: facets that an odd number of them hold");
+  command
+      ->add_option("--embed", arguments.embed, "Add N dimensions (-N: drop the last N coordinates)")
+      ->type_name("N");
   command
       ->add_option("--category", arguments.category,
                    "Only what stands within structures of this category (layer, block, ...)")

@@ -155,4 +155,12 @@ ModelEdges edges(const LarModel& model) {
   return result;
 }
 
+LarModel with_edges(const LarModel& model) {
+  LarModel result = model;
+  Cells pairs;
+  for (const auto& edge : edges(model).edges) pairs.push_back(edge);
+  result.cells.push_back(std::move(pairs));
+  return result;
+}
+
 }  // namespace plumbline
