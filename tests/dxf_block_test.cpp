@@ -168,3 +168,22 @@ TEST_CASE("what a block has on layer 0 is seen as the layer of its insert is") {
   CHECK(segments("0 INSERT 2 IN 8 OFF 10 0 20 0 0 INSERT 2 IN 8 W 10 0 20 10") ==
         "0 1, 1 1\n0 10, 1 10\n0 11, 1 11\n");
 }
+
+TEST_CASE("blocks that double at each level are refused by their size, not followed for ever") {
+  std::vector<std::string> tower{"B0 " + kLine};
+  for (int i = 1; i < 64; ++i) {
+    const std::string below = "0 INSERT 2 B" + std::to_string(i - 1) + " 10 0 20 0";
+    tower.push_back("B" + std::to_string(i) + " " + below + " " + below);
+  }
+  const auto structure = read_dxf(dxf_with("0 INSERT 2 B63 10 0 20 0", blocks(tower)), "a.dxf");
+  CHECK_THROWS_AS(evaluate(structure, 10'000), plumbline::Error);
+}
+
+TEST_CASE("a chain of 20,000 blocks is followed without recursion") {
+  std::vector<std::string> chain{"B0 10 0 20 0 " + kLine};
+  for (int i = 1; i < 20'000; ++i) {
+    chain.push_back("B" + std::to_string(i) + " 10 0 20 0 0 INSERT 2 B" + std::to_string(i - 1) +
+                    " 8 0 10 1 20 0");
+  }
+  CHECK(drawn("0 INSERT 2 B19999 8 0 10 0 20 0", chain) == "20000 2, 20002 5\n");
+}

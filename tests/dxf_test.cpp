@@ -70,6 +70,7 @@ TEST_CASE("entities of one layer are one Struct, in the order in which layers oc
   REQUIRE(structure.structs.size() == 3);
   CHECK(structure.structs[1].name == "B");
   CHECK(structure.structs[1].category == "layer");
+  CHECK(structure.y_up);
 }
 
 TEST_CASE("a closed polyline ends exactly where it starts") {
@@ -246,4 +247,24 @@ TEST_CASE("names become UTF-8 by the code page, or as they are from AC1021 on") 
   CHECK(layer("AC1032", "ANSI_1252", "W\xE4nde") == "W\xC3\xA4nde");
   CHECK(layer("AC1015", "//IGNORE", "W\xE4nde") == "W\xC3\xA4nde");
   CHECK(layer("AC1015", "ANSI_1252", "\\U+00E4\\U+12\\x\\U+D800") == "\xC3\xA4\\U+12\\x\\U+D800");
+}
+
+TEST_CASE("the example plan is read whole: doors turned and mirrored, loops closed") {
+  plumbline::ReadOptions visible;
+  visible.visible_only = true;
+  const auto structure = plumbline::read(PLUMBLINE_EXAMPLES "/flat.dxf", visible);
+  const plumbline::SegmentSet set = evaluate(structure);
+  CHECK(rejected_of(set).ends_with("LINE (GRID): hidden: layer GRID is frozen\n" PLUMBLINE_EXAMPLES
+                                   "/flat.dxf:376 TEXT (WALLS): annotation is not read\n"));
+  CHECK(set.rejected.size() == 2);
+  const std::string segments = segments_of(set);
+  CHECK(segments.find("6 3.2, 5.1 3.2\n") != segments.npos);  // the leaf of the turned door
+  CHECK(segments.find("2.9 4, 2.9 4.9\n") != segments.npos);  // and of the mirrored one
+  for (const plumbline::Struct& s : structure.structs) {
+    for (const auto& item : s.body) {
+      const auto* model = std::get_if<plumbline::Model>(&item);
+      if (model == nullptr || model->source.element != "LWPOLYLINE") continue;
+      CHECK(model->segments[0].a == model->segments[model->segments.size() - 1].b);
+    }
+  }
 }

@@ -7,7 +7,8 @@ only in Plumbline. Needs Debian's python3-ezdxf, python3-shapely and python3-sci
 
 Straight segments are matched one to one, ends within 1e-9 of the drawing's size. Curves are compared as
 point sets: no end of a chord may be further from ezdxf's curve, and no point of ezdxf's curve further
-from the chords, than CURVE of the drawing's size; both are flattened to a quarter of that.
+from the chords, than CURVE of the drawing's size; both are flattened to FINE. Inserts are followed by
+ezdxf's matrices, which its explosion of arrays and of sheared blocks within blocks contradicts.
 """
 
 import collections
@@ -20,6 +21,7 @@ import sys
 import warnings
 
 import ezdxf
+import ezdxf.math
 import ezdxf.recover
 import numpy
 import scipy.spatial
@@ -28,6 +30,7 @@ import shapely.strtree
 
 SAME = 1e-9
 CURVE = 1e-4
+FINE = 1e-5  # blocks may be enlarged
 
 STRAIGHT = {"LINE", "SOLID", "TRACE", "3DFACE"}
 CURVED = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"}
@@ -51,38 +54,37 @@ def is_flat(entity):
     return extrusion[0] == 0 and extrusion[1] == 0
 
 
-def ring(points):
-    return zip(points, points[1:] + points[:1])
-
-
-def explode(entity, origin, size, reading):
-    """Adds what the entity draws, blocks and annotations exploded."""
+def explode(entity, matrix, origin, size, reading):
+    """Adds what the entity draws below the map: inserts with their blocks, annotation by its parts."""
     kind = entity.dxftype()
+
+    def add_segment(a, b, origin):
+        (a, b) = matrix.transform_vertices([a, b])
+        reading.segments.append((origin or kind, (a.x, a.y, b.x, b.y)))
+
     if kind == "INSERT":
         for copy in entity.multi_insert() if entity.mcount > 1 else [entity]:
-            for part in copy.virtual_entities():
-                explode(part, origin, size, reading)
-        return
-    if kind == "LINE":
-        a, b = entity.dxf.start, entity.dxf.end
-        reading.segments.append((origin or kind, (a.x, a.y, b.x, b.y)))
+            for part in copy.block() or []:
+                explode(part, copy.matrix44() * matrix, origin, size, reading)
+    elif kind == "LINE":
+        add_segment(entity.dxf.start, entity.dxf.end, origin)
     elif kind in STRAIGHT:
         points = list(entity.wcs_vertices())
-        for a, b in ring(points):
-            reading.segments.append((origin or kind, (a.x, a.y, b.x, b.y)))
+        for a, b in zip(points, points[1:] + points[:1]):
+            add_segment(a, b, origin)
     elif kind in COMPOSED:
         inside = origin or (kind if is_flat(entity) else kind + TILTED)
         parts = list(entity.virtual_entities())
         if entity.is_closed and parts[-1].dxftype() == "LINE" and parts[-1].dxf.start == parts[-1].dxf.end:
             parts.pop()  # ezdxf closes again what ends at its start
         for part in parts:
-            explode(part, inside, size, reading)
+            explode(part, matrix, inside, size, reading)
     elif kind in CURVED:
-        points = [(p.x, p.y) for p in flattened(entity, size * CURVE / 4)]
-        reading.curves.append((origin or kind, points))
+        points = matrix.transform_vertices(flattened(entity, size * FINE))
+        reading.curves.append((origin or kind, [(p.x, p.y) for p in points]))
     elif kind != "POINT" and hasattr(entity, "virtual_entities"):  # annotation
         for part in entity.virtual_entities():
-            explode(part, origin or kind, size, reading)
+            explode(part, matrix, origin or kind, size, reading)
 
 
 def flattened(entity, distance):
@@ -112,7 +114,7 @@ def read_with_ezdxf(file, size):
     def reading():
         result = Reading()
         for entity in document.modelspace():
-            explode(entity, None, size, result)
+            explode(entity, ezdxf.math.Matrix44(), None, size, result)
         return result
 
     kinds = sorted({entity.dxftype() for space in spaces for entity in space})
@@ -189,7 +191,7 @@ def farthest(points, lines):
 def compare(program, file):
     first, _ = read_with_plumbline(program, file, 0)
     size = size_of(first)
-    ours, rejected = read_with_plumbline(program, file, size * CURVE / 4)
+    ours, rejected = read_with_plumbline(program, file, size * FINE)
     theirs, not_drawn = read_with_ezdxf(file, size)
     straight = [s for s in theirs.segments if s[1][:2] != s[1][2:]]
     pairs, worst, extra, missing = match(ours, straight, size)

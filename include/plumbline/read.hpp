@@ -51,10 +51,10 @@ Structure read_svg(std::string_view text, const std::string& file_name,
 /// of category "block"; an INSERT refers to it below its map, an array once per copy. What a block
 /// has on layer "0" is in the block's own Struct and so belongs to the layer of the INSERT. Models:
 /// LINE, LWPOLYLINE, POLYLINE (with bulges, in space, meshes), ARC, CIRCLE, ELLIPSE, SPLINE (by
-/// control points), 3DFACE, SOLID, TRACE; the projection along z. Coordinates are drawing units;
-/// line weights, widths and thickness are ignored. `rejected` lists with their places what is
-/// malformed, missing or extruded in another direction than z, and per kind with counts what is not
-/// drawn: other entities, the paper space, z coordinates, with `visible_only` what is hidden
+/// control points), 3DFACE, SOLID, TRACE; the projection along z. Coordinates are drawing units, y
+/// upwards; line weights, widths and thickness are ignored. `rejected` lists with their places what
+/// is malformed, missing or extruded in another direction than z, and per kind with counts what is
+/// not drawn: other entities, the paper space, z coordinates, with `visible_only` what is hidden
 /// (entities and edges marked so, layers that are off or frozen). The ledger lists, per kind,
 /// curves by their chords and angles by rational rotations. Source::line is the line of the
 /// entity's name; in a binary DXF, of its text form with two lines per group. No recursion. Throws:

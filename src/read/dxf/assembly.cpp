@@ -17,6 +17,7 @@ class Assembly {
   Assembly(Drawing& drawing, const std::string& file_name)
       : drawing_(drawing), made_(drawing.spaces.size()) {
     structure_.files = {file_name};
+    structure_.y_up = true;
   }
 
   Structure run() && {
