@@ -54,6 +54,13 @@ svg '<line x2="1e99999999999"/><line x1="0" y1="0" x2="1" y2="1"/>' >a.svg
 expect "a monstrous number is rejected, the rest goes on" 0 '1 segments, 1 rejected' "$plumbline" arrange a.svg
 svg '<line x1="1" x2="1"/><text x="3">t</text><line x2="4" y2="1"/>' >b.svg
 expect "what takes no part is listed with its line" 0 'text.*line 2' "$plumbline" info b.svg
+svg '<circle r="1"/><g display="none"><line x2="4"/></g>' >c.svg
+expect "curves are flattened as told, and the ledger says so" 0 '20 segments.*circle by 20 chords within 0.03' "$plumbline" arrange c.svg --flatten 0.03 --visible
+expect "what is hidden is listed" 0 'hidden' "$plumbline" info c.svg --visible
+expect "each command has these options" 0 '1 rejected' "$plumbline" lar c.svg --flatten 1/4 --visible
+expect "a tolerance is positive" 2 'not positive.*"0"' "$plumbline" check c.svg --flatten 0
+expect "a tolerance is a number" 2 'not a number.*"fine"' "$plumbline" check c.svg --flatten fine
+rm c.svg
 svg '' >empty.svg
 expect "an empty drawing is a drawing" 0 '0 vertices, 0 edges.*1 faces' "$plumbline" arrange empty.svg -o empty.json
 expect "an empty drawing checks" 0 'agree' "$plumbline" check empty.svg --picture empty-check.svg

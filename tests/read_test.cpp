@@ -1,10 +1,13 @@
 #include "plumbline/read.hpp"
 
+#include <zlib.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <random>
 
 #include "plumbline/error.hpp"
+#include "read/gzip.hpp"
 #include "support/listing.hpp"
 
 using plumbline::evaluate;
@@ -45,6 +48,21 @@ plumbline::Error error_of(const fs::path& file) {
     return error;
   }
   throw std::logic_error("accepted: " + file.string());
+}
+
+/// As gzip writes it.
+std::string gzipped(const std::string& text) {
+  std::string packed(compressBound(text.size()) + 32, '\0');
+  z_stream stream{};
+  deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + 16, 8, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
 }
 
 }  // namespace
@@ -120,7 +138,7 @@ TEST_CASE("a file is read by its ending, in either case") {
   }
   const auto error = error_of(scratch.file("a.dwg", ""));
   CHECK(error.code() == plumbline::ErrorCode::BadInput);
-  CHECK(error.message().starts_with("unknown file name ending; known are .svg .dxf .lines "));
+  CHECK(error.message().starts_with("unknown file name ending; known are .svg .svgz .dxf .lines "));
   CHECK(error.offending_text() == ".dwg");
 }
 
@@ -157,6 +175,30 @@ TEST_CASE("a file that can't be read is refused, saying why") {
   CHECK(error_of("/dev/zero").message() == "is not a regular file");
   const fs::path below_a_file = scratch.file("a.svg", "<svg/>") / "b.svg";
   CHECK(error_of(below_a_file).code() == plumbline::ErrorCode::BadFile);
+}
+
+TEST_CASE("a compressed SVG file is read, a damaged one refused, and one that grows too much") {
+  const Scratch scratch;
+  std::string packed = gzipped("<svg><line x2='1'/></svg>");
+  CHECK(segments_of(evaluate(read(scratch.file("a.svgz", packed)))) == "0 0, 1 0\n");
+  CHECK(segments_of(evaluate(read(scratch.file("plain.svgz", "<svg><line x2='2'/></svg>")))) ==
+        "0 0, 2 0\n");
+  const std::string halves = gzipped("<svg><line ") + gzipped("x2='3'/></svg>");
+  CHECK(segments_of(evaluate(read(scratch.file("halves.svgz", halves)))) == "0 0, 3 0\n");
+  const auto cut = error_of(scratch.file("cut.svgz", packed.substr(0, packed.size() - 9)));
+  CHECK(cut.message() == "malformed gzip: ends too early");
+  CHECK(cut.place().file == (scratch.folder() / "cut.svgz").string());
+  packed[packed.size() - 5] = static_cast<char>(packed[packed.size() - 5] + 1);
+  CHECK(error_of(scratch.file("sum.svgz", packed)).message() ==
+        "malformed gzip: incorrect data check");
+  CHECK(error_of(scratch.file("more.svgz", halves + "more")).code() ==
+        plumbline::ErrorCode::BadInput);
+  try {
+    plumbline::inflated(gzipped(std::string(100'001, ' ')), "a.svgz", 100'000);
+    FAIL("no error");
+  } catch (const plumbline::Error& error) {
+    CHECK(error.code() == plumbline::ErrorCode::Limit);
+  }
 }
 
 TEST_CASE("a file beyond the size limit is refused without being read") {

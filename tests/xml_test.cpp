@@ -102,10 +102,10 @@ TEST_CASE("entities of the internal subset are replaced in attributes") {
   <!ENTITY outside SYSTEM "file:///etc/passwd">
   <!ENTITY % parameter "ignored > this">
 ]>
-<svg xmlns="&ns;"><polyline id="&outside;&none;" points="0 0 &end;&half;"/></svg>)",
+<svg xmlns="&ns;"><polyline id="&none;" points="0 0 &end;&half;"/></svg>)",
                                      "a.svg"));
   CHECK(segments_of(set) == "0 0, 1.5 2.5\n");
-  CHECK(set.sources.at(0).id == "&outside;&none;");
+  CHECK(set.sources.at(0).id == "&none;");
 }
 
 TEST_CASE("entities within themselves, bombs and entities with markup are refused") {
@@ -128,6 +128,18 @@ TEST_CASE("entities within themselves, bombs and entities with markup are refuse
   } catch (const plumbline::Error& error) {
     CHECK(error.code() == plumbline::ErrorCode::Limit);
   }
+}
+
+TEST_CASE("a reference to an external entity is an error with its place") {
+  const auto error = [](const std::string& content) {
+    return error_of(
+        "<!DOCTYPE svg [<!ENTITY wall SYSTEM 'wall.svg'><!ENTITY in '&wall;'>]>\n<svg>" + content +
+        "</svg>");
+  };
+  CHECK(error("<g>&amp;</g>") == "accepted");
+  CHECK(error("<g>&wall;</g>") == "a.svg:2:6: external entities are not read: \"&wall;\"");
+  CHECK(error("<g id='&wall;'/>") == "a.svg:2:6: external entities are not read: \"&wall;\"");
+  CHECK(error("<g id='&in;'/>") == "a.svg:2:6: external entities are not read: \"&wall;\"");
 }
 
 TEST_CASE("comments, instructions, CDATA and text between elements draw nothing") {

@@ -11,7 +11,7 @@ namespace plumbline {
 
 /// Largest file that `read` takes, in bytes.
 inline constexpr std::uintmax_t kMaxFileSize = std::uintmax_t{1} << 30U;
-/// The same for formats that are read piece by piece: all but `.svg`, `.dxf` and `.lines`.
+/// The same for formats that are read piece by piece: all but `.svg`, `.svgz`, `.dxf` and `.lines`.
 inline constexpr std::uintmax_t kMaxStreamedFileSize = std::uintmax_t{1} << 36U;
 
 /// How a drawing is read where the file leaves a choice.
@@ -26,8 +26,8 @@ struct ReadOptions {
 };
 
 /// The drawing in a file, every number exact. The format is told by the file name's ending, in
-/// either case: `.svg`, `.dxf`, `.lines`, `.geojson`, `.wkt`, `.wkb`, `.csv`; a `.json` is GeoJSON
-/// or a LAR model, as its members tell. What the reader does not understand is listed in
+/// either case: `.svg`, `.svgz`, `.dxf`, `.lines`, `.geojson`, `.wkt`, `.wkb`, `.csv`; a `.json` is
+/// GeoJSON or a LAR model, as its members tell. What the reader does not understand is listed in
 /// `rejected`, with its place. Throws: Error BadFile, BadInput (malformed file, unknown ending),
 /// Limit (beyond kMaxFileSize; numbers or entities that grow beyond all measure).
 Structure read(const std::filesystem::path& file, const ReadOptions& options = {});

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/read.hpp"
 #include "plumbline/write.hpp"
 
 namespace plumbline::cli {
@@ -12,9 +13,14 @@ namespace plumbline::cli {
 /// Exit codes of every command.
 enum ExitCode { kAgree = 0, kDisagree = 1, kBadInput = 2, kInternal = 3 };
 
-/// What every command reads, and how it is arranged.
-struct DrawingArguments {
+/// What every command reads, and how.
+struct InputArguments {
   std::string file;
+  ReadOptions reading;
+};
+
+/// How it is arranged.
+struct DrawingArguments : InputArguments {
   Engine engine = Engine::Bucket;
   std::size_t threads = 0;  ///< 0: as many as there are cores
   bool verify = false;      ///< arrange with both engines and compare
@@ -33,8 +39,7 @@ struct CheckArguments : DrawingArguments {
 
 struct InfoArguments : DrawingArguments {};
 
-struct LarArguments {
-  std::string file;
+struct LarArguments : InputArguments {
   bool is_published = false;
   bool unit_square = false;
   std::optional<int> decimals;

@@ -130,7 +130,7 @@ ExitCode run(const LarArguments& arguments) {
   check_outputs(arguments.file, {{arguments.trace, {".json"}}, {arguments.output, {".svg"}}});
   const SegmentSet input = [&] {
     const Progress progress("reading " + arguments.file);
-    return evaluate(read(arguments.file));
+    return evaluate(read(arguments.file, arguments.reading));
   }();
   fmt::print("drawing      {}: {} segments, {} rejected\n{}", arguments.file, input.segments.size(),
              input.rejected.size(), rejected_lines(input));

@@ -21,7 +21,7 @@ Drawing load(const DrawingArguments& arguments) {
   Drawing drawing;
   {
     const Progress progress("reading " + arguments.file);
-    drawing.input = evaluate(read(arguments.file));
+    drawing.input = evaluate(read(arguments.file, arguments.reading));
   }
   {
     Progress progress(fmt::format("arranging {} segments", drawing.input.segments.size()));

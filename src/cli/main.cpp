@@ -21,7 +21,26 @@ constexpr const char* kDescription =
 constexpr const char* kExitCodes =
     "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input or usage, 3 "
     "internal.";
-constexpr const char* kFile = "A drawing: .svg, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv";
+constexpr const char* kFile =
+    "A drawing: .svg, .svgz, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv";
+
+void add_input(CLI::App& command, InputArguments& arguments) {
+  command.add_option("FILE", arguments.file, kFile)->required()->type_name("");
+  command
+      .add_option_function<std::string>(
+          "--flatten",
+          [&](const std::string& tolerance) {
+            arguments.reading.chord_tolerance = parse_decimal(tolerance);
+            if (sgn(arguments.reading.chord_tolerance) > 0) return;
+            throw Error(ErrorCode::BadInput, "the tolerance of curves is not positive", {},
+                        tolerance);
+          },
+          "Curves become chords no further than this from the curve, in the units of the curve's "
+          "own coordinates [default: 0.001 x the curve's longer side]")
+      ->type_name("TOLERANCE");
+  command.add_flag("--visible", arguments.reading.visible_only,
+                   "Leave out, and list, what the drawing hides; else it is drawn");
+}
 
 constexpr const char* kLarExamples =
     "Examples: plumbline lar plan.svg --variant published --trace plan.json\n"
@@ -41,7 +60,7 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
                       const char* description, const char* examples, ExitCode& exit_code) {
   CLI::App* command = app.add_subcommand(name, description);
   command->footer(examples);
-  command->add_option("FILE", arguments.file, kFile)->required()->type_name("");
+  add_input(*command, arguments);
   command
       ->add_option_function<std::string>(
           "--engine",
@@ -68,7 +87,7 @@ void add_lar_command(CLI::App& app, LarArguments& arguments, ExitCode& exit_code
   CLI::App* command =
       app.add_subcommand("lar", "The float LAR pipeline, stage by stage, as published or repaired");
   command->footer(kLarExamples);
-  command->add_option("FILE", arguments.file, kFile)->required()->type_name("");
+  add_input(*command, arguments);
   command->add_option("--variant", arguments.is_published, "repaired (the default) or published")
       ->transform(CLI::CheckedTransformer(variants).description(""))
       ->type_name("VARIANT");

@@ -61,7 +61,13 @@ Entities::Entities(std::string_view doctype) {
       doctype.remove_prefix(name.size());
       skip_blanks(doctype);
       // The first declaration of a name is the one that counts.
-      if (at_quote(doctype) && name != "%") values_.emplace(name, take_literal(doctype));
+      const std::string key(name);
+      const bool is_known = name == "%" || values_.count(key) + external_.count(key) != 0;
+      if (!is_known && at_quote(doctype)) {
+        values_.emplace(key, take_literal(doctype));
+      } else if (!is_known) {
+        external_.insert(key);
+      }
       skip_declaration(doctype);
     } else if (doctype.starts_with("<!")) {
       skip_declaration(doctype);
@@ -86,6 +92,16 @@ bool Entities::refers_to_markup(std::string_view text) const {
   return false;
 }
 
+void Entities::check_external(std::string_view text) const {
+  for (std::size_t at = text.find('&'); at != text.npos; at = text.find('&', at + 1)) {
+    const std::string_view rest = text.substr(at);
+    const std::size_t end = rest.substr(0, kMaxName).find(';');
+    if (end == rest.npos || external_.count(std::string(rest.substr(1, end - 1))) == 0) continue;
+    throw Error(ErrorCode::BadInput, "external entities are not read", {},
+                std::string(rest.substr(0, end + 1)));
+  }
+}
+
 std::string Entities::expand(std::string_view text) {
   std::string result;
   expand_onto(result, text, 0);
@@ -96,6 +112,7 @@ void Entities::expand_onto(std::string& result, std::string_view text, int depth
   if (depth > kMaxDepth) {
     throw Error(ErrorCode::BadInput, "entities nested too deep", {}, std::string(text));
   }
+  check_external(text);
   while (!text.empty()) {
     const std::size_t ordinary = std::min(text.find('&', text.front() == '&' ? 1 : 0), text.size());
     const auto* entity = reference(text);

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "plumbline/error.hpp"
+#include "read/gzip.hpp"
 #include "read/json_kind.hpp"
 #include "read/streams.hpp"
 
@@ -73,12 +74,19 @@ std::string lower_case_ending(const fs::path& file) {
   return ending;
 }
 
+Structure read_svgz(const fs::path& file, const ReadOptions& options) {
+  const std::string bytes = content(file);
+  const std::string name = file.string();
+  return read_svg(is_gzip(bytes) ? inflated(bytes, name) : bytes, name, options);
+}
+
 }  // namespace
 
 Structure read(const fs::path& file, const ReadOptions& options) {
   check_is_file(file);
   const std::string ending = lower_case_ending(file);
   if (ending == ".svg") return read_svg(content(file), file.string(), options);
+  if (ending == ".svgz") return read_svgz(file, options);
   if (ending == ".dxf") return read_dxf(content(file), file.string(), options);
   if (ending == ".lines") return read_lines(content(file), file.string());
   if (ending == ".json") return read_json(file, options);
@@ -87,7 +95,8 @@ Structure read(const fs::path& file, const ReadOptions& options) {
   if (ending == ".wkb") return read_streamed(file, read_wkb);
   if (ending == ".csv") return read_streamed(file, read_csv);
   throw Error(ErrorCode::BadInput,
-              "unknown file name ending; known are .svg .dxf .lines .geojson .json .wkt .wkb .csv",
+              "unknown file name ending; known are .svg .svgz .dxf .lines .geojson .json .wkt .wkb "
+              ".csv",
               {file.string(), 0, 0}, ending);
 }
 

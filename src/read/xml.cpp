@@ -101,12 +101,21 @@ void XmlDocument::check_attributes() const {
   }
 }
 
+void XmlDocument::check_entities(const Entities& entities, const pugi::xml_node& text) const {
+  if (entities.refers_to_markup(text.value())) {
+    throw Error(ErrorCode::BadInput, "an entity with markup is not understood yet",
+                place(text.parent()), text.value());
+  }
+  try {
+    entities.check_external(text.value());
+  } catch (const Error& error) {
+    throw Error(error.code(), error.message(), place(text.parent()), error.offending_text());
+  }
+}
+
 void XmlDocument::expand_entities(Entities& entities) const {
   for (auto node = root(); node; node = next_below(root(), node)) {
-    if (node.type() == pugi::node_pcdata && entities.refers_to_markup(node.value())) {
-      throw Error(ErrorCode::BadInput, "an entity with markup is not understood yet",
-                  place(node.parent()), node.value());
-    }
+    if (node.type() == pugi::node_pcdata) check_entities(entities, node);
     for (auto attribute : node.attributes()) {
       const std::string_view value = attribute.value();
       if (value.find('&') == value.npos) continue;

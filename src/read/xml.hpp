@@ -29,6 +29,7 @@ class XmlDocument {
   void check_top_level() const;
   void check_attributes() const;
   void expand_entities(class Entities& entities) const;
+  void check_entities(const class Entities& entities, const pugi::xml_node& text) const;
 
   std::string file_;
   std::string text_;  ///< parsed in place: holds the names and values
