@@ -182,6 +182,9 @@ TEST_CASE("a style sheet that moves or hides is listed, one that colours is not"
         std::string::npos);
   CHECK(rejected("<style>.h{display:none}</style>" + line) != "");
   CHECK(rejected("<style>line{stroke:red}</style>" + line) == "");
+  CHECK(
+      rejected("<defs><style>line{visibility:hidden}</style></defs>" + line) ==
+      "a.svg:1:12 style: style sheets are not interpreted: visibility: line{visibility:hidden}\n");
 }
 
 TEST_CASE("a nested svg is moved by x and y; its clipping is listed, and not applied") {

@@ -50,8 +50,7 @@ struct LarArguments : InputArguments {
   std::optional<std::string> output;
 };
 
-struct EvalArguments {
-  std::string file;
+struct EvalArguments : InputArguments {
   std::optional<std::string> category;
   std::optional<int> decimals;
   int embed = 0;

@@ -80,7 +80,7 @@ ExitCode run(const EvalArguments& arguments) {
   Structure structure;
   {
     const Progress progress("reading " + arguments.file);
-    structure = read(arguments.file);
+    structure = read(arguments.file, arguments.reading);
   }
   if (arguments.category) structure = filter(structure, *arguments.category);
   if (arguments.embed != 0) structure = embed(structure, arguments.embed);

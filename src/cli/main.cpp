@@ -24,8 +24,8 @@ constexpr const char* kExitCodes =
 constexpr const char* kFile =
     "A drawing: .svg, .svgz, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv";
 
-void add_input(CLI::App& command, InputArguments& arguments) {
-  command.add_option("FILE", arguments.file, kFile)->required()->type_name("");
+void add_input(CLI::App& command, InputArguments& arguments, const char* file = kFile) {
+  command.add_option("FILE", arguments.file, file)->required()->type_name("");
   command
       .add_option_function<std::string>(
           "--flatten",
@@ -130,9 +130,7 @@ void add_eval_command(CLI::App& app, EvalArguments& arguments, ExitCode& exit_co
   command->footer(
       "Examples: plumbline eval table.json -o table.svg\n"
       "          plumbline eval plan.svg --structure -o plan.json\n");
-  command->add_option("FILE", arguments.file, "A structure (.json), or any drawing")
-      ->required()
-      ->type_name("");
+  add_input(*command, arguments, "A structure (.json), or any drawing");
   command
       ->add_option("--decimals", arguments.decimals,
                    "Identify vertices that are equal after rounding to N decimals [default: exact]")

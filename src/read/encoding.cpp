@@ -138,7 +138,9 @@ std::string to_utf8(std::string_view bytes, const std::string& file) {
   }
   Converter converter(plausible ? encoding : "");
   if (!plausible || !converter.valid()) {
-    throw Error(ErrorCode::BadInput, "unknown encoding", {file, 1, 1}, encoding);
+    std::string shown = encoding;
+    std::replace_if(shown.begin(), shown.end(), is_beyond_ascii, '?');
+    throw Error(ErrorCode::BadInput, "unknown encoding", {file, 1, 1}, std::move(shown));
   }
   auto [text, complete] = converter.convert(bytes);
   if (!complete) {

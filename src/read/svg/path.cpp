@@ -1,4 +1,4 @@
-#include "read/svg_path.hpp"
+#include "read/svg/path.hpp"
 
 #include <array>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "read/svg_style.hpp"
+#include "read/svg/style.hpp"
 
 #include <algorithm>
 #include <initializer_list>

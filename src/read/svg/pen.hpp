@@ -8,7 +8,7 @@
 #include "plumbline/geometry.hpp"
 #include "read/attribute.hpp"
 #include "read/flatten.hpp"
-#include "read/svg_arc.hpp"
+#include "read/svg/arc.hpp"
 
 namespace plumbline {
 

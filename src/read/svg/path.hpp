@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "read/attribute.hpp"
-#include "read/svg_pen.hpp"
+#include "read/svg/pen.hpp"
 
 namespace plumbline {
 

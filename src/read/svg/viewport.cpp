@@ -1,10 +1,10 @@
-#include "read/svg_viewport.hpp"
+#include "read/svg/viewport.hpp"
 
 #include <array>
 #include <string>
 #include <utility>
 
-#include "read/svg_style.hpp"
+#include "read/svg/style.hpp"
 
 namespace plumbline {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "plumbline/structure.hpp"
 #include "read/attribute.hpp"
-#include "read/svg_length.hpp"
+#include "read/svg/length.hpp"
 
 namespace plumbline {
 

@@ -2,8 +2,8 @@
 
 #include <pugixml.hpp>
 
-#include "read/svg_length.hpp"
-#include "read/svg_path.hpp"
+#include "read/svg/length.hpp"
+#include "read/svg/path.hpp"
 
 namespace plumbline {
 

@@ -1,4 +1,4 @@
-#include "read/svg_length.hpp"
+#include "read/svg/length.hpp"
 
 #include <array>
 #include <string>

@@ -1,4 +1,4 @@
-#include "read/svg_element.hpp"
+#include "read/svg/element.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,13 +9,13 @@
 #include "geometry/rejected.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/read.hpp"
-#include "read/svg_element.hpp"
-#include "read/svg_index.hpp"
-#include "read/svg_shape.hpp"
-#include "read/svg_style.hpp"
-#include "read/svg_transform.hpp"
-#include "read/svg_undrawn.hpp"
-#include "read/svg_viewport.hpp"
+#include "read/svg/element.hpp"
+#include "read/svg/index.hpp"
+#include "read/svg/shape.hpp"
+#include "read/svg/style.hpp"
+#include "read/svg/transform.hpp"
+#include "read/svg/undrawn.hpp"
+#include "read/svg/viewport.hpp"
 #include "read/xml.hpp"
 #include "structure/name_path.hpp"
 
@@ -57,6 +57,7 @@ class SvgReader {
     frame.viewport = viewport_of_root(root);
     push(std::move(frame));
     list_what_root_adds(root);
+    list_style_sheets();
     while (!frames_.empty()) step();
     for (const auto& [element, path] : undrawn_.unused()) {
       reject(element, path, {"not drawn directly", {}});
@@ -266,14 +267,19 @@ class SvgReader {
   }
 
   void pass_over(const pugi::xml_node& element) {
-    undrawn_.add(element, path_.text());
-    if (local_name(element) != "style") return;
-    const std::string_view sheet = element.child_value();
-    for (const char* word : {"transform", "display", "visibility"}) {
-      if (sheet.find(word) == sheet.npos) continue;
-      reject(element,
-             {"style sheets are not interpreted: " + std::string(word), std::string(sheet)});
-      return;
+    if (holds_drawing(element)) undrawn_.add(element, path_.text());
+  }
+
+  /// Lists the style sheets that place or hide something.
+  void list_style_sheets() {
+    for (const pugi::xml_node& element : index_.style_sheets()) {
+      const std::string_view sheet = element.child_value();
+      for (const char* word : {"transform", "display", "visibility"}) {
+        if (sheet.find(word) == sheet.npos) continue;
+        reject(element,
+               {"style sheets are not interpreted: " + std::string(word), std::string(sheet)});
+        break;
+      }
     }
   }
 

@@ -1,9 +1,9 @@
-#include "read/svg_index.hpp"
+#include "read/svg/index.hpp"
 
 #include <string>
 #include <vector>
 
-#include "read/svg_element.hpp"
+#include "read/svg/element.hpp"
 
 namespace plumbline {
 
@@ -40,6 +40,7 @@ SvgIndex::SvgIndex(const pugi::xml_node& root) {
 
 void SvgIndex::add(const pugi::xml_node& element, bool is_svg) {
   if (!is_svg) foreign_.insert(element.internal_object());
+  if (is_svg && local_name(element) == "style") style_sheets_.push_back(element);
   const std::string_view id = element.attribute("id").value();
   if (!id.empty()) by_id_.emplace(id, element);
 }

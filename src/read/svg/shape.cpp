@@ -1,4 +1,4 @@
-#include "read/svg_shape.hpp"
+#include "read/svg/shape.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,6 @@
-#include "read/svg_undrawn.hpp"
+#include "read/svg/undrawn.hpp"
 
-#include "read/svg_element.hpp"
+#include "read/svg/element.hpp"
 
 namespace plumbline {
 

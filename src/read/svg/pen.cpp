@@ -1,4 +1,4 @@
-#include "read/svg_pen.hpp"
+#include "read/svg/pen.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "read/svg_transform.hpp"
+#include "read/svg/transform.hpp"
 
 #include <algorithm>
 #include <utility>

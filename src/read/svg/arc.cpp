@@ -1,4 +1,4 @@
-#include "read/svg_arc.hpp"
+#include "read/svg/arc.hpp"
 
 #include <utility>
 
