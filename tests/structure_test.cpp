@@ -194,6 +194,8 @@ TEST_CASE("structures that multiply beyond the limit are refused, up to it they 
   for (std::size_t i = 0; i < 40; ++i) doubling[i].body = {StructId(i + 1), StructId(i + 1)};
   CHECK(evaluate(structure_of(doubling)).segments.empty());  // 2^40 times nothing
   doubling.back().body = {model("0 0, 1 0")};
+  CHECK(instance_count(structure_of(doubling)) == std::uint64_t{1} << 40U);
+  CHECK(box(structure_of(doubling))->high[0].rational() == 1);
   CHECK_THROWS_AS(evaluate(structure_of(doubling), 10'000'000), plumbline::Error);
   // One item, and four integer coordinates of which one is 0: numerator and denominator each.
   const auto one = structure_of({{"", "", {model("1 1, 0 2")}}});
@@ -224,6 +226,7 @@ TEST_CASE("a million instances are walked one by one") {
     structure.structs[1].body.emplace_back(StructId(2));
     structure.structs[1].body.emplace_back(translation(4, 0));
   }
+  CHECK(instance_count(structure) == 1'000'000);
   std::size_t count = 0;
   plumbline::Traversal walk(structure);
   while (walk.next()) ++count;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,10 @@ struct Structure {
 /// two items of different dimensions, naming both; for a StructId out of range, a Model whose
 /// rows have other numbers of segments or ids, and what `check` finds in a LarModel. Cost: linear.
 std::size_t dimension(const Structure& structure);
+
+/// How many models a Traversal meets; 2^64 - 1 stands for that many or more. Throws: as
+/// `dimension`. Cost: linear in the structure, however many they are.
+std::uint64_t instance_count(const Structure& structure);
 
 /// Largest size of one number, in bits, in a map that a Traversal makes.
 inline constexpr std::size_t kMaxMapBits = std::size_t{1} << 17U;

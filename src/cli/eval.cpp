@@ -28,10 +28,8 @@ void print_structure(const Structure& structure) {
   for (const Struct& s : structure.structs) {
     models += static_cast<std::size_t>(std::count_if(s.body.begin(), s.body.end(), is_model));
   }
-  std::size_t instances = 0;
-  for (Traversal t(structure); t.next();) ++instances;
   fmt::print("structs      {}\nmodels       {}\ninstances    {}\n", structure.structs.size(),
-             models, instances);
+             models, instance_count(structure));
   fmt::print("dimension    {}\n", dimension(structure));
   if (const auto found = box(structure)) {
     fmt::print("box          {} .. {}\n", point_text(found->low), point_text(found->high));

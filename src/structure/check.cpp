@@ -18,7 +18,7 @@ class Check {
  public:
   explicit Check(const Structure& structure)
       : structure_(structure), states_(structure.structs.size(), State::New) {
-    result_.holds_models.resize(structure.structs.size());
+    result_.instances.resize(structure.structs.size());
   }
 
   Checked run() && {
@@ -59,8 +59,7 @@ class Check {
     const StructId id = frames_.back().id;
     states_[id] = State::Done;
     frames_.pop_back();
-    if (frames_.empty() || !result_.holds_models[id]) return;
-    result_.holds_models[frames_.back().id] = true;
+    if (!frames_.empty()) count(frames_.back().id, result_.instances[id]);
   }
 
   static void check_rows(const Model& model) {
@@ -77,20 +76,27 @@ class Check {
 
   void look_at(const Struct::Item& item, StructId holder, std::size_t index) {
     if (const auto* id = std::get_if<StructId>(&item)) {
+      const bool is_done = *id < states_.size() && states_[*id] == State::Done;
       enter(*id);
-      if (result_.holds_models[*id]) result_.holds_models[holder] = true;  // done before
+      if (is_done) count(holder, result_.instances[*id]);  // else when it is left
     } else if (const auto* map = std::get_if<Affine>(&item)) {
       agree("map", map->dimension(), holder, index);
     } else if (const auto* model = std::get_if<Model>(&item)) {
       check_rows(*model);
       agree("model", 2, holder, index);
-      result_.holds_models[holder] = true;
+      count(holder, 1);
     } else {
       const auto& lar = std::get<LarModel>(item);
       check(lar, structure_.files);
       agree("model", lar.dimension, holder, index);
-      result_.holds_models[holder] = true;
+      count(holder, 1);
     }
+  }
+
+  void count(StructId holder, std::uint64_t more) {
+    std::uint64_t& instances = result_.instances[holder];
+    constexpr std::uint64_t kMost = ~std::uint64_t{0};
+    instances = more > kMost - instances ? kMost : instances + more;
   }
 
   void agree(const char* kind, std::size_t dimension, StructId holder, std::size_t index) {
@@ -129,5 +135,9 @@ class Check {
 Checked check(const Structure& structure) { return Check(structure).run(); }
 
 std::size_t dimension(const Structure& structure) { return check(structure).dimension; }
+
+std::uint64_t instance_count(const Structure& structure) {
+  return check(structure).instances[structure.root];
+}
 
 }  // namespace plumbline

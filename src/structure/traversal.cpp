@@ -16,9 +16,9 @@ class Traversal::Walk {
  public:
   Walk(const Structure& structure, Checked checked)
       : structure_(structure),
-        holds_models_(std::move(checked.holds_models)),
+        instances_(std::move(checked.instances)),
         identity_(std::make_shared<const Affine>(std::max<std::size_t>(checked.dimension, 1))) {
-    if (holds_models_[structure.root]) frames_.push_back({structure.root, 0, identity_, 0});
+    if (instances_[structure.root] > 0) frames_.push_back({structure.root, 0, identity_, 0});
   }
 
   bool next() {
@@ -58,7 +58,7 @@ class Traversal::Walk {
   };
 
   void enter(StructId id, SharedMap map) {
-    if (!holds_models_[id]) return;
+    if (instances_[id] == 0) return;
     path_.push(structure_.structs[id].name);
     frames_.push_back({id, 0, std::move(map), 0});
   }
@@ -89,7 +89,7 @@ class Traversal::Walk {
   }
 
   const Structure& structure_;
-  std::vector<bool> holds_models_;
+  std::vector<std::uint64_t> instances_;
   SharedMap identity_;
   std::vector<Frame> frames_;
   const Struct::Item* model_ = nullptr;
