@@ -5,9 +5,11 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <random>
+#include <sstream>
 
 #include "plumbline/error.hpp"
 #include "read/gzip.hpp"
+#include "read/streams.hpp"
 #include "support/listing.hpp"
 
 using plumbline::evaluate;
@@ -163,6 +165,21 @@ TEST_CASE("a JSON file is read by what its members tell, wherever they stand") {
   CHECK(message(R"({"type": "Topology", "arcs": []})") ==
         "JSON of a format that is not read: TopoJSON");
   CHECK(message("").starts_with("not JSON"));
+}
+
+TEST_CASE("a file is read as its text is, wherever its blocks end") {
+  std::string rows = "id;geom\n";
+  for (int i = 0; i < 20'000; ++i) {
+    rows += std::to_string(i) + ";\"LINESTRING (" + std::to_string(i) + " 0.125,\n1 2)\"\n";
+  }
+  const Scratch scratch;
+  const fs::path file = scratch.file("a.csv", rows);
+  CHECK(read(file) == plumbline::read_csv(rows, file.string()));
+  for (const std::size_t block_size : {1, 2, 7, 64}) {
+    const std::string text = "\xEF\xBB\xBF" + rows.substr(0, 1'000 + block_size) + "0 0)\"";
+    plumbline::ByteStream bytes(std::make_unique<std::istringstream>(text), "a", block_size);
+    CHECK(plumbline::read_csv(bytes) == plumbline::read_csv(text, "a"));
+  }
 }
 
 TEST_CASE("a file that can't be read is refused, saying why") {

@@ -40,35 +40,50 @@ ByteStream::ByteStream(std::unique_ptr<std::istream> stream, const std::string& 
       place_{name, 1, 1} {
   if (!*stream_) throw Error(ErrorCode::BadFile, "cannot be read", {name, 0, 0});
   begin_ = next_ = end_ = counted_ = block_.data();
-  refill();
   skip_mark();
 }
 
 void ByteStream::skip_mark() {
-  if (!std::string_view(next_, static_cast<std::size_t>(end_ - next_)).starts_with(kByteOrderMark))
-    return;
+  if (!ahead(kByteOrderMark.size()).starts_with(kByteOrderMark)) return;
   next_ += kByteOrderMark.size();
   counted_ = next_;
 }
 
-bool ByteStream::refill() {
+/// Reads the next block behind the last `kept` bytes, which are those that are left.
+bool ByteStream::refill(std::size_t kept) {
   if (stream_ == nullptr) return false;
   count_lines();
-  block_offset_ += static_cast<std::uint64_t>(end_ - begin_);
+  block_offset_ += static_cast<std::uint64_t>(next_ - begin_);
   if (block_offset_ >= limit_) {
     throw Error(ErrorCode::Limit, "more than 256 MiB without end of a value", place());
   }
-  stream_->read(block_.data(), static_cast<std::streamsize>(block_.size()));
+  std::copy(next_, end_, block_.begin());
+  stream_->read(block_.data() + kept, static_cast<std::streamsize>(block_.size() - kept));
   if (stream_->bad()) throw Error(ErrorCode::BadFile, "cannot be read", {place_.file, 0, 0});
+  const auto read = static_cast<std::size_t>(stream_->gcount());
   begin_ = next_ = counted_ = block_.data();
-  end_ = begin_ + stream_->gcount();
-  if (next_ == end_) stream_.reset();
-  return next_ != end_;
+  end_ = begin_ + kept + read;
+  if (read == 0) stream_.reset();
+  return read != 0;
 }
 
-std::string_view ByteStream::ahead() {
-  if (at_end()) return {};
-  return {next_, static_cast<std::size_t>(end_ - next_)};
+std::string_view ByteStream::ahead(std::size_t count) {
+  const auto left = [this] { return static_cast<std::size_t>(end_ - next_); };
+  for (bool more = true; more && left() < count;) {
+    if (block_.size() < count && stream_ != nullptr) grow_block(count);
+    more = refill(left());
+  }
+  return {next_, left()};
+}
+
+void ByteStream::grow_block(std::size_t size) {
+  count_lines();
+  std::vector<char> block(size);
+  std::copy(next_, end_, block.begin());
+  block_offset_ += static_cast<std::uint64_t>(next_ - begin_);
+  end_ = block.data() + (end_ - next_);
+  block_ = std::move(block);
+  begin_ = next_ = counted_ = block_.data();
 }
 
 void ByteStream::skip_blanks() {

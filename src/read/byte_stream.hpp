@@ -21,7 +21,7 @@ class ByteStream {
   ByteStream(std::string_view text, Place begin);
   /// The content of a regular file. Throws: Error BadFile; so does reading.
   explicit ByteStream(const std::filesystem::path& file);
-  /// What the stream has, in blocks of 3 bytes or more.
+  /// What the stream has, in blocks of this size.
   ByteStream(std::unique_ptr<std::istream> stream, const std::string& name, std::size_t block_size);
 
   bool at_end() { return next_ == end_ && !refill(); }
@@ -30,8 +30,9 @@ class ByteStream {
   char take() { return at_end() ? '\0' : *next_++; }
   void skip_blanks();
 
-  /// What of the rest is in memory: empty only at the end.
-  std::string_view ahead();
+  /// What of the rest is in memory: empty only at the end; at least `count` bytes, if that many are
+  /// left.
+  std::string_view ahead(std::size_t count = 1);
   /// Requires: count <= ahead().size().
   void advance(std::size_t count) { next_ += count; }
 
@@ -48,7 +49,8 @@ class ByteStream {
   [[noreturn]] void fail(const std::string& message);
 
  private:
-  bool refill();
+  bool refill(std::size_t kept = 0);
+  void grow_block(std::size_t size);
   void count_lines();
   void skip_mark();
 

@@ -30,7 +30,8 @@ void CsvRecords::find_separator() {
   constexpr std::string_view kSeparators = ",;\t";
   constexpr std::string_view kStated = "sep=";
   bytes_.skip_blanks();
-  const std::string_view ahead = bytes_.ahead();
+  constexpr std::size_t kLongestHeader = std::size_t{1} << 16U;
+  const std::string_view ahead = bytes_.ahead(kLongestHeader).substr(0, kLongestHeader);
   const std::string_view line = ahead.substr(0, ahead.find_first_of("\r\n"));
   if (line.size() == kStated.size() + 1 && line.starts_with(kStated)) {
     separator_ = line.back();
