@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/source.hpp"
+#include "plumbline/geometry.hpp"
 #include "read/attribute.hpp"
 #include "read/json_tree.hpp"
 
