@@ -97,7 +97,7 @@ TEST_CASE("a POLYLINE takes its vertices up to SEQEND") {
         "a.dxf:6 POLYLINE (P): its VERTEX in line 16: not a number: group 10: x\n");
   CHECK(rejected(dxf_with("0 POLYLINE 8 P 0 SEQEND 0 VERTEX 10 1 20 1")) ==
         "a.dxf:6 POLYLINE (P): polyline of fewer than two vertices\n"
-        "a.dxf:12 VERTEX (0): not understood\n");
+        "a.dxf:12 VERTEX (0): without a POLYLINE\n");
 }
 
 TEST_CASE("the control frame of a fitted polyline is listed, not drawn") {

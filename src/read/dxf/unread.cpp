@@ -46,6 +46,7 @@ constexpr std::array kUnread{
     Unread{"REGION", kSolid},
     Unread{"SURFACE", kSolid},
     Unread{"MESH", kSolid},
+    Unread{"VERTEX", "without a POLYLINE"},
     Unread{"VIEWPORT", "a view of the drawing, not a part of it"},
     Unread{"ACAD_PROXY_ENTITY", "known to the application only that made it"},
     Unread{"ACAD_PROXY_OBJECT", "known to the application only that made it"},
