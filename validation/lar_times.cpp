@@ -16,9 +16,13 @@ using namespace plumbline;
 
 namespace {
 
-const std::vector<std::string> kRecorded{"R5_5e3", "R1_1e5", "D_1e4", "G_300"};
-/// CGAL's sweep takes minutes beyond.
-constexpr std::size_t kMostForCgal = 100'000;
+const std::vector<std::string> kRecorded{"R5_5e3", "R1_1e5", "R1_1e6", "D_1e4",
+                                         "S_1e4",  "G_300",  "Gr_300", "S1_1e4"};
+
+/// Whether CGAL's sweep takes minutes: for many segments, and for many lines through one point.
+bool takes_cgal_minutes(const std::string& workload, std::size_t segments) {
+  return segments > 100'000 || (workload.starts_with("S1_") && segments > 1000);
+}
 
 std::string timed(const std::function<std::string()>& job) {
   const std::clock_t start = std::clock();
@@ -52,11 +56,12 @@ void print_row(const std::string& name) {
   const SegmentSet input = workloads::make(name);
   const std::size_t n = input.segments.size();
   const ArrangeOptions one_thread{1, {}};
-  fmt::print("| {} | {} | {} | {} | {} | {} |\n", name, n,
-             timed([&] { return published_cells(input); }),
-             timed([&] { return cells(lar::arrange(input, {0.0}).complex); }),
-             timed([&] { return cells(arrange(input, Engine::Bucket, one_thread)); }),
-             n > kMostForCgal ? "" : timed([&] { return cells(arrange(input, Engine::Cgal)); }));
+  fmt::print(
+      "| {} | {} | {} | {} | {} | {} |\n", name, n, timed([&] { return published_cells(input); }),
+      timed([&] { return cells(lar::arrange(input, {0.0}).complex); }),
+      timed([&] { return cells(arrange(input, Engine::Bucket, one_thread)); }),
+      takes_cgal_minutes(name, n) ? ""
+                                  : timed([&] { return cells(arrange(input, Engine::Cgal)); }));
   std::fflush(stdout);
 }
 
