@@ -136,3 +136,16 @@ TEST_CASE("a file that cannot be written is an error, and nothing is left") {
     CHECK(fs::is_character_file("/dev/full"));
   }
 }
+
+TEST_CASE("a picture of a drawing whose y runs upwards is turned, that of its segments too") {
+  plumbline::SegmentSet input;
+  input.add_file("a.dxf");
+  const auto source = input.add_source({});
+  input.add(plumbline::PointD{0, 0}, plumbline::PointD{4, 3}, source);
+  CHECK_THAT(to_svg(input), Catch::Contains("M0 0L4 3"));
+  const auto complex = plumbline::arrange(input);
+  CHECK_THAT(to_svg(complex), Catch::Contains("M0 0L4 3"));
+  input.y_up = true;
+  CHECK_THAT(to_svg(input), Catch::Contains("M0 0L4 -3"));
+  CHECK_THAT(to_svg(complex, input.y_up), Catch::Contains("M0 0L4 -3"));
+}

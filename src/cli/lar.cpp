@@ -79,10 +79,10 @@ bool has_result(const published::Trace& trace) {
 }
 
 template <class Result>
-void write_outputs(const LarArguments& arguments, const Result& result) {
+void write_outputs(const LarArguments& arguments, const SegmentSet& input, const Result& result) {
   if (arguments.trace) write_file(*arguments.trace, to_json(result));
   LarPicture picture = arguments.picture;
-  picture.y_up = arguments.unit_square;
+  picture.y_up = arguments.unit_square != input.y_up;  // the map to the unit square turns y
   if (arguments.output) write_file(*arguments.output, to_svg(result, picture));
   print(result);
   for (const auto& file : {arguments.trace, arguments.output})
@@ -101,7 +101,7 @@ ExitCode run_published(const LarArguments& arguments, const SegmentSet& input) {
                               : published::lines(input),
                           options);
   }();
-  write_outputs(arguments, trace);
+  write_outputs(arguments, input, trace);
   if (has_result(trace)) return kAgree;
   throw Error(ErrorCode::BadInput, "the published pipeline fails on this drawing",
               {arguments.file, 0, 0}, trace.failures.empty() ? "" : trace.failures.front().message);
@@ -117,7 +117,7 @@ ExitCode run_repaired(const LarArguments& arguments, const SegmentSet& input) {
     return lar::arrange(arguments.unit_square ? lar::to_unit_square(input) : input,
                         {arguments.radius, arguments.threads});
   }();
-  write_outputs(arguments, result);
+  write_outputs(arguments, input, result);
   return kAgree;
 }
 

@@ -126,6 +126,7 @@ void FeatureTable::note_other_coordinates(std::string_view element, const Place&
 Structure FeatureTable::finish() && {
   Structure structure;
   structure.files = std::move(files_);
+  structure.y_up = true;
   structure.root = StructId(0);
   structure.structs.resize(1);
   if (with_other_coordinates_ > 0) {

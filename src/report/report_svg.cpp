@@ -80,8 +80,9 @@ std::string text(double x, double y, double size, const std::string& rest, std::
 }
 
 std::string drawn_panel(const Box& box, const Layout& where, const FloatComplex& complex,
-                        const picture::Marks& marks, const Crosscheck& crosscheck) {
-  picture::Frame frame = picture::fit(where.content, box);
+                        const picture::Marks& marks, const CheckedDrawing& checked) {
+  const Crosscheck& crosscheck = checked.crosscheck;
+  picture::Frame frame = picture::fit(where.content, box, checked.input.y_up);
   frame.steps = kStepsPerPixel;
   const double edges = static_cast<double>(complex.edge_count());
   const double pen =
@@ -162,9 +163,9 @@ std::string report_svg(const CheckedDrawing& checked) {
              kWidth, where.height, picture::kInk) +
          header(checked, where) +
          drawn_panel(where.left, where, exact_rounded,
-                     marks_of(c, checked.exact_complex, &Finding::exact_cells), c) +
+                     marks_of(c, checked.exact_complex, &Finding::exact_cells), checked) +
          drawn_panel(where.right, where, checked.float_complex,
-                     marks_of(c, checked.float_complex, &Finding::float_cells), c) +
+                     marks_of(c, checked.float_complex, &Finding::float_cells), checked) +
          legend(where, checked) + "</svg>\n";
 }
 

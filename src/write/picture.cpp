@@ -118,15 +118,17 @@ Box widened(const Box& box, double fraction) {
 
 PointD Frame::operator()(const PointD& p) const {
   return {rounded((p.x - origin.x) * scale + place.x, steps),
-          rounded((p.y - origin.y) * scale + place.y, steps)};
+          rounded((y_up ? origin.y - p.y : p.y - origin.y) * scale + place.y, steps)};
 }
 
-Frame fit(const Box& content, const Box& panel) {
+Frame fit(const Box& content, const Box& panel, bool y_up) {
   const double scale = std::min(panel.width() / content.width(), panel.height() / content.height());
-  return {content.low,
+  return {{content.low.x, y_up ? content.high.y : content.low.y},
           {panel.low.x + (panel.width() - content.width() * scale) / 2,
            panel.low.y + (panel.height() - content.height() * scale) / 2},
-          scale};
+          scale,
+          0,
+          y_up};
 }
 
 std::string coordinates(const PointD& p) { return shortest_text(p.x) + ' ' + shortest_text(p.y); }

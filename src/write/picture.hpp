@@ -33,19 +33,21 @@ Box bounds(const FloatComplex& complex);
 /// The box, wider on each side by `fraction` of its longer side.
 Box widened(const Box& box, double fraction);
 
-/// Where a drawing stands in a picture: p is drawn at (p - origin) * scale + place, rounded to
+/// Where a drawing stands in a picture: p is drawn at (p - origin) * scale + place (where y runs
+/// upwards at place.y - (p.y - origin.y) * scale), rounded to
 /// 1 / `steps` (0: not rounded). The default draws in the drawing's own coordinates.
 struct Frame {
   PointD origin;
   PointD place;
   double scale = 1;
   double steps = 0;
+  bool y_up = false;  ///< whether the drawing's y runs upwards; the picture's never does
 
   PointD operator()(const PointD& p) const;
 };
 
 /// The frame that shows `content` as large as possible in the middle of `panel`.
-Frame fit(const Box& content, const Box& panel);
+Frame fit(const Box& content, const Box& panel, bool y_up = false);
 
 /// "x y" with the shortest decimals that read back as the same doubles.
 std::string coordinates(const PointD& p);
