@@ -16,7 +16,7 @@ layer(affine      error number geometry)                  # headers of src/struc
 layer(model       error number geometry affine lists)
 layer(structure   error number geometry affine model lists)
 layer(read        error number geometry structure)
-layer(complex     error number geometry lists boundary)
+layer(complex     error number geometry lists model boundary)
 layer(boundary    error number geometry complex)         # a second header of src/complex
 layer(arrange     error number geometry structure read complex cgal)
 layer(cgal        error number geometry complex arrange) # plumbline/cgal.hpp and CGAL itself

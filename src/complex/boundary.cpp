@@ -1,5 +1,7 @@
 #include "plumbline/boundary.hpp"
 
+#include "plumbline/model.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -76,6 +78,15 @@ ChainMatrix characteristic_fe(const Incidences& complex) {
     triplets.emplace_back(as_int(complex.halfedge_face[h]), as_int(edge_of(HalfedgeId(h))), 1);
   }
   return characteristic(complex.face_count(), complex.edge_count(), triplets);
+}
+
+ChainMatrix boundary_mod_2(const LarModel& model, std::size_t k) {
+  const Cells holders = facet_cells(model, k);
+  std::vector<Triplet> triplets;
+  for (std::size_t f = 0; f < holders.size(); ++f) {
+    for (const std::uint32_t cell : holders[f]) triplets.emplace_back(as_int(f), as_int(cell), 1);
+  }
+  return characteristic(holders.size(), model.cells[k].size(), triplets);
 }
 
 }  // namespace plumbline
