@@ -130,6 +130,9 @@ TEST_CASE("meshes are grids, polyface meshes are the outlines of their faces") {
         "a.dxf:6 POLYLINE (0): face with a vertex that is not there: 9\n");
   CHECK(rejected(dxf_with("0 POLYLINE 8 0 70 16 71 3 72 2 " + four + "0 SEQEND")) ==
         "a.dxf:6 POLYLINE (0): mesh of 3 x 2 with 4 vertices\n");
+  CHECK(
+      rejected(dxf_with("0 POLYLINE 8 0 70 16 71 4 72 9223372036854775807 " + four + "0 SEQEND")) ==
+      "a.dxf:6 POLYLINE (0): mesh of 4 x 9223372036854775807 with 4 vertices\n");
 }
 
 TEST_CASE("faces and solids are outlines; a solid's corners come in the shape of a Z") {

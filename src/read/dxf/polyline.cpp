@@ -26,7 +26,8 @@ bool has(std::int64_t flags, std::int64_t flag) { return (flags & flag) != 0; }
 Drawn draw_mesh(const Polyline& mesh) {
   if (has(mesh.flags, kSplineFit) || mesh.smoothing != 0) throw Unusable{"smoothed mesh", {}};
   const auto count = static_cast<std::int64_t>(mesh.vertices.size());
-  if (mesh.rows < 1 || mesh.columns < 1 || mesh.rows > count || mesh.rows * mesh.columns != count) {
+  if (mesh.rows < 1 || mesh.columns < 1 || count % mesh.rows != 0 ||
+      mesh.columns != count / mesh.rows) {
     throw Unusable{"mesh of " + std::to_string(mesh.rows) + " x " + std::to_string(mesh.columns) +
                        " with " + std::to_string(count) + " vertices",
                    {}};
