@@ -24,8 +24,8 @@ ChainMatrix characteristic_ev(const Incidences& complex, std::size_t vertex_coun
 ChainMatrix characteristic_fv(const Incidences& complex, std::size_t vertex_count);
 ChainMatrix characteristic_fe(const Incidences& complex);
 
-/// The boundary operator of a LAR model mod 2, facets (cells[k + 1]) x cells (cells[k]): 1 where the
-/// cell holds the facet, by the rule of `facet_cells`. Requires: k + 1 < model.cells.size().
+/// The boundary operator of a LAR model mod 2, facets (cells[k + 1]) x cells (cells[k]): 1 where
+/// the cell holds the facet, by the rule of `facet_cells`. Requires: k + 1 < model.cells.size().
 ChainMatrix boundary_mod_2(const LarModel& model, std::size_t k = 0);
 
 }  // namespace plumbline

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "plumbline/error.hpp"
@@ -103,7 +102,7 @@ Rational squared_chord_error(std::span<const Point> points, std::span<const Rati
 
 std::string bound_text(double bound) {
   const auto two_digits = [](double value) {
-    return std::strtod(fmt::format("{:.1e}", value).c_str(), nullptr);
+    return nearest_double(parse_decimal(fmt::format("{:.1e}", value)));
   };
   double rounded = two_digits(bound);
   if (rounded < bound)
