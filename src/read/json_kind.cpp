@@ -85,7 +85,7 @@ JsonKind json_kind(ByteStream& bytes) {
   parse_json(bytes, teller);
   if (teller.kind()) return *teller.kind();
   throw Error(ErrorCode::BadInput,
-              "JSON of no known format: neither GeoJSON (type) nor LAR (V, EV, FV, lines)",
+              "JSON of no known format: neither GeoJSON (type) nor LAR (V, EV, FV, lines; root, defs)",
               {bytes.file(), 1, 1});
 }
 
