@@ -4,9 +4,9 @@
 #include <random>
 #include <set>
 
-#include "lar/published/stages.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/lar.hpp"
+#include "plumbline/published_stages.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "lar/published/stages.hpp"
 #include "plumbline/published.hpp"
+#include "plumbline/published_stages.hpp"
 #include "plumbline/read.hpp"
 #include "support/segments.hpp"
 
@@ -54,7 +54,7 @@ TEST_CASE("S: what svg2lines misreads, the SVG reader reads, maps or names") {
                ' ' + shortest_text(s.b.y) + "; ";
     }
   } catch (const published::StageFailure& failed) {
-    found = failed.failure.error;
+    found = failed.failure().error;
   }
   CHECK(found == of_published);
   const SegmentSet read = evaluate(read_svg(svg, "text"));

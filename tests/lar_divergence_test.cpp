@@ -6,10 +6,10 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "lar/published/stages.hpp"
-#include "lar/stages.hpp"
 #include "plumbline/arrange.hpp"
+#include "plumbline/lar_stages.hpp"
 #include "plumbline/published.hpp"
+#include "plumbline/published_stages.hpp"
 #include "support/recorded.hpp"
 #include "support/segments.hpp"
 
@@ -233,6 +233,8 @@ TEST_CASE("F4: a face walk that stops at its first vertex never ends at a cut ve
                                   {{v(0), v(1)}, {v(1), v(2)}, {v(0), v(2)}, {v(1), v(3)}},
                                   {}};
   CHECK_THROWS_AS(published::faces_from_components(dangling), published::StageFailure);
+  CHECK_THROWS_WITH(published::faces_from_components(dangling),
+                    Catch::Contains("the published facesFromComps runs for ever"));
   CHECK(repaired_summary("0 0 1 0  1 0 0 1  0 1 0 0  1 0 2 0") == "V 4 E 4 F 2 C 1 antennas 1");
 
   const std::string triangles = recorded_text("divergence-two-triangles-vertex-nonterm");

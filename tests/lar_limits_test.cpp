@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lar/published/stages.hpp"
+#include "plumbline/published_stages.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

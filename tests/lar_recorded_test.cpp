@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "lar/published/stages.hpp"
+#include "plumbline/published_stages.hpp"
 #include "plumbline/write.hpp"
 #include "support/recorded.hpp"
 
@@ -135,7 +135,7 @@ TEST_CASE("SVG text is read as the original read it") {
         svg_to_lines(svg, true, vcode);
         FAIL("no failure");
       } catch (const StageFailure& failed) {
-        CHECK(failed.failure.error == recorded_case["errors"]["error"].GetString());
+        CHECK(failed.failure().error == recorded_case["errors"]["error"].GetString());
       }
       continue;
     }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "plumbline/published.hpp"
+#include "plumbline/published_vcode.hpp"
 
 using namespace plumbline;
 namespace published = plumbline::lar::published;
@@ -101,6 +102,13 @@ TEST_CASE("the published simplification lists faces by their number of vertices"
   REQUIRE(m.faces.size() == 2);
   CHECK(m.faces[0].size() == 3);
   CHECK(m.faces[1].size() == 4);
+}
+
+TEST_CASE("fixed decimals are from 0 to 12, and half is rounded away from zero") {
+  CHECK_THROWS_WITH(published::Vcode(-1), Catch::Contains("from 0 to 12"));
+  CHECK_THROWS_WITH(published::Vcode(13), Catch::Contains("from 0 to 12"));
+  CHECK(published::Vcode(0).text(-2.5) == "-3.0");
+  CHECK(published::Vcode(12).text(0.5) == "0.5");
 }
 
 TEST_CASE("a bad radius or cell is refused by both simplifications") {

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
@@ -380,4 +380,27 @@ TEST_CASE("the innermost cycle is the smallest of those around a vertex") {
     found.push_back(c.valid() ? areas[c] : 0);
   }
   CHECK(found == std::vector<double>{4, 49, 0, 49, 0});
+}
+
+TEST_CASE("the stages, called one after the other, make what the pipeline makes") {
+  const SegmentSet input = segments(rectangle(0, 0, 9, 9) + rectangle(2, 2, 4, 4) +
+                                    "0 3 9 7  1 8 3 9  5 1 5 2  + 3 3 + 20 5");
+  const Drawing drawing = to_doubles(input, {1e-6});
+  Graph g = drawing.graph;
+  for (bool idle = false; !idle;) {
+    const std::vector<Box> boxes = containment_boxes(g, drawing.radius);
+    const Lists<EdgeId> buckets = refine_buckets(g, box_buckets(boxes), drawing.radius);
+    const Lists<Cut> cuts = cut_edges(g, boxes, buckets, drawing.radius);
+    const Graph split = split_edges(g, cuts);
+    const Pruning pruning = prune_vertices(split.vertices, drawing.radius);
+    g = simplify(split, pruning);
+    idle = cuts.flat().empty() && pruning.clusters.size() == 0;
+  }
+  const Lists<HalfedgeId> order = edge_slope_ordering(g);
+  const Lists<HalfedgeId> cycles = face_cycles(g, order);
+  const FloatComplex complex =
+      cells(g, cycles, exterior_cycles(g, order, cycles), cycle_areas(g, cycles));
+  const Result result = lar::arrange(input, {1e-6});
+  CHECK(canonical(complex) == result.complex);
+  CHECK(result.complex.face_count() == 5);  // two halves, the square's two, the unbounded one
 }

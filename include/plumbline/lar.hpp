@@ -8,7 +8,7 @@
 
 /// The float pipeline of LAR's module `inters` (Paoluzzi, "Accelerated intersection of geometric
 /// objects", November 2015), variant `repaired`: the best float version of the published algorithm.
-/// Everything here is computed in doubles; nothing is exact. The stages are in `lar/stages.hpp`.
+/// Everything here is computed in doubles; nothing is exact. The stages are in `lar_stages.hpp`.
 namespace plumbline::lar {
 
 /// The publication's radius of 0.001 on a drawing scaled to the unit square.

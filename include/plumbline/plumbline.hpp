@@ -1,6 +1,7 @@
 #pragma once
 
-// The public interface in the order of the pipeline; cgal.hpp and boundary.hpp are apart.
+// The public interface in the order of the pipeline; cgal.hpp, boundary.hpp and the stages of the
+// float pipelines (lar_stages.hpp, published_stages.hpp) are apart.
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/complex.hpp"

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "lar/parallel.hpp"
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

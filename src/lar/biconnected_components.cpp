@@ -1,7 +1,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/biconnected_components.hpp>
 
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

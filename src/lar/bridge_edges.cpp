@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "lar/points.hpp"
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <optional>
 
-#include "lar/stages.hpp"
 #include "lar/threshold.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

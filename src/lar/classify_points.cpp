@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lar/stages.hpp"
 #include "lar/tile_code.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

@@ -7,7 +7,7 @@
 #include "lar/bucket_pairs.hpp"
 #include "lar/parallel.hpp"
 #include "lar/points.hpp"
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

@@ -1,8 +1,8 @@
 // The face walk. "Next" is a permutation of the halfedges whatever their order around the vertices,
 // so every cycle closes and every halfedge is in one.
 
-#include "lar/stages.hpp"
 #include "lar/union_find.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

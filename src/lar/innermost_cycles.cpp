@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "lar/points.hpp"
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

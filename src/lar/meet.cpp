@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "lar/points.hpp"
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "lar/crowds.hpp"
 #include "lar/near_points.hpp"
-#include "lar/stages.hpp"
 #include "lar/union_find.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

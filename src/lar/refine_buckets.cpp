@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

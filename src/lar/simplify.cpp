@@ -2,7 +2,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

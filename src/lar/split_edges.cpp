@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "lar/points.hpp"
-#include "lar/stages.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 

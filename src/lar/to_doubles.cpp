@@ -7,8 +7,8 @@
 #include <string>
 
 #include "lar/points.hpp"
-#include "lar/stages.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {

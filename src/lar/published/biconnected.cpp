@@ -5,8 +5,9 @@
 
 #include <algorithm>
 
+#include "lar/published/fail.hpp"
 #include "lar/published/hash_order.hpp"
-#include "lar/published/stages.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "lar/published/stages.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 

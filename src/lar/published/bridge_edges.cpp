@@ -4,7 +4,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "lar/published/stages.hpp"
+#include "lar/published/cycle_vertices.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {

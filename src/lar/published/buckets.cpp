@@ -4,9 +4,10 @@
 #include <set>
 #include <utility>
 
-#include "lar/published/stages.hpp"
+#include "lar/published/fail.hpp"
 #include "lar/threshold.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lar/published/stages.hpp"
 #include "lar/tile_code.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {

@@ -6,8 +6,9 @@
 #include <numbers>
 #include <utility>
 
+#include "lar/published/fail.hpp"
 #include "lar/published/hash_order.hpp"
-#include "lar/published/stages.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {
@@ -74,7 +75,7 @@ class Walk {
       idle_steps_ = 0;
     } else if (++idle_steps_ > edges_.size() + 1) {
       // The edge stays while nothing is visited anew, so the vertex alone is the state: it repeats.
-      fail("NoTermination", "the face walk repeats itself", "facesFromComps");
+      fail(kNoTermination, "the face walk repeats itself", "facesFromComps");
     }
     return true;
   }
@@ -87,6 +88,14 @@ class Walk {
   std::size_t edge_ = 0;
   std::size_t idle_steps_ = 0;
 };
+
+/// The distinct edges without zero edges, in the order of a set.
+std::vector<VertexPair> set_of_edges(std::span<const VertexPair> edges) {
+  HashTable<VertexPair> set;
+  for (const auto& [v, w] : edges)
+    if (v != w) set.insert({std::min(v, w), std::max(v, w)});
+  return set.listed();
+}
 
 float as_float(double value) { return static_cast<float>(value); }
 
@@ -150,13 +159,6 @@ std::vector<NextEdge> ordered_vertex_edges(const Lists<EdgeId>& slope_order) {
     }
   }
   return entries;
-}
-
-std::vector<VertexPair> set_of_edges(std::span<const VertexPair> edges) {
-  HashTable<VertexPair> set;
-  for (const auto& [v, w] : edges)
-    if (v != w) set.insert({std::min(v, w), std::max(v, w)});
-  return set.listed();
 }
 
 Faces faces_from_components(const Model& model) {

@@ -8,7 +8,7 @@
 
 #include "lar/parallel.hpp"
 #include "lar/published/hash_order.hpp"
-#include "lar/published/stages.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lar/published/hash_order.hpp"
-#include "lar/published/stages.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {

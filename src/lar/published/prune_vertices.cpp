@@ -5,9 +5,10 @@
 #include <algorithm>
 
 #include "lar/near_points.hpp"
+#include "lar/published/fail.hpp"
 #include "lar/published/hash_order.hpp"
-#include "lar/published/stages.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {
@@ -89,6 +90,7 @@ PointD centroid(std::span<const PointD> points, std::span<const std::size_t> mem
 }  // namespace
 
 Pruned prune_vertices(std::span<const PointD> vertices, double radius, std::size_t max_pairs) {
+  check_radius(radius);
   Pruned result;
   result.close = close_pairs(vertices, radius, max_pairs);
   const NearGraph graph(vertices.size(), result.close);

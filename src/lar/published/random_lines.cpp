@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "lar/published/stages.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {

@@ -2,23 +2,15 @@
 // are left out.
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "lar/parallel.hpp"
-#include "lar/published/stages.hpp"
+#include "lar/published/fail.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {
-
-void check(const Options& options) {
-  if (options.decimals < 0 || options.decimals > kMaxDecimals) {
-    throw Error(ErrorCode::BadInput, "the number of decimals must be from 0 to 12", {},
-                std::to_string(options.decimals));
-  }
-  check_radius(options.radius);
-}
 
 /// Runs one stage; false where it failed.
 bool attempt(Trace& trace, const char* stage, const std::function<void()>& run_stage) {
@@ -26,7 +18,7 @@ bool attempt(Trace& trace, const char* stage, const std::function<void()>& run_s
     run_stage();
     return true;
   } catch (const StageFailure& failed) {
-    trace.failures.push_back(failed.failure);
+    trace.failures.push_back(failed.failure());
     trace.failures.back().stage = stage;
     return false;
   }
@@ -37,7 +29,7 @@ Outcome<T> outcome(const char* stage, const Run& run_stage) {
   try {
     return {run_stage(), std::nullopt};
   } catch (const StageFailure& failed) {
-    Outcome<T> result{std::nullopt, failed.failure};
+    Outcome<T> result{std::nullopt, failed.failure()};
     result.failure->stage = stage;
     return result;
   }
@@ -123,8 +115,7 @@ void trace_faces_lattice(Trace& trace, const Vcode& vcode) {
           [&] { trace.faces_lattice = lattice_array(result.vertices, faces, vcode); });
 }
 
-void run_stages(Trace& trace) {
-  const Vcode vcode(trace.options.decimals);
+void run_stages(Trace& trace, const Vcode& vcode) {
   trace.boxes = containment_boxes(trace.lines, vcode);
   const bool in_buckets =
       attempt(trace, "buckets", [&] { trace.buckets = box_buckets(trace.boxes); });
@@ -151,16 +142,6 @@ void run_stages(Trace& trace) {
 
 }  // namespace
 
-void check_radius(double radius) {
-  if (std::isfinite(radius) && radius > 0) return;
-  throw Error(ErrorCode::BadInput, "the radius must be finite and positive", {},
-              shortest_text(radius));
-}
-
-void fail(const char* error, const char* message, const char* function) {
-  throw StageFailure{{"", error, message, function}};
-}
-
 std::vector<SegmentD> lines(const SegmentSet& input) {
   std::vector<SegmentD> result;
   for (std::size_t i = 0; i < input.segments.size(); ++i) {
@@ -171,24 +152,25 @@ std::vector<SegmentD> lines(const SegmentSet& input) {
 }
 
 std::vector<SegmentD> lines_on_unit_square(const SegmentSet& input, int decimals) {
-  check({decimals, kRadius});
+  const Vcode vcode(decimals);
   const std::vector<SegmentD> drawn = lines(input);
   if (drawn.empty()) return {};
   try {
-    return to_unit_square(drawn, Vcode(decimals));
+    return to_unit_square(drawn, vcode);
   } catch (const StageFailure& failed) {
     throw Error(ErrorCode::BadInput,
                 "the published map to the unit square needs a drawing with width and height", {},
-                failed.failure.message);
+                failed.failure().message);
   }
 }
 
 Trace run(std::vector<SegmentD> lines, const Options& options) {
-  check(options);
+  check_radius(options.radius);
+  const Vcode vcode(options.decimals);
   Trace trace;
   trace.options = options;
   trace.lines = std::move(lines);
-  on_threads(options.threads, [&] { run_stages(trace); });
+  on_threads(options.threads, [&] { run_stages(trace, vcode); });
   return trace;
 }
 

@@ -6,9 +6,10 @@
 
 #include "lar/check_model.hpp"
 #include "lar/points.hpp"
+#include "lar/published/fail.hpp"
 #include "lar/published/hash_order.hpp"
-#include "lar/published/stages.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {

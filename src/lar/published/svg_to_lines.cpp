@@ -9,7 +9,8 @@
 #include <optional>
 #include <string_view>
 
-#include "lar/published/stages.hpp"
+#include "lar/published/fail.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 namespace {

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <string>
 
+#include "lar/published/cycle_vertices.hpp"
 #include "lar/published/hash_order.hpp"
-#include "lar/published/stages.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/published_stages.hpp"
 
 namespace plumbline::lar::published {
 

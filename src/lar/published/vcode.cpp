@@ -1,8 +1,10 @@
-#include "lar/published/vcode.hpp"
+#include "plumbline/published_vcode.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
+
+#include "plumbline/error.hpp"
 
 namespace plumbline::lar::published {
 namespace {
@@ -13,6 +15,10 @@ constexpr double kFirstInexact = 1e12;  ///< the least integer of more digits
 }  // namespace
 
 Vcode::Vcode(int decimals) : power_(1) {
+  if (decimals < 0 || decimals > kMaxDecimals) {
+    throw Error(ErrorCode::BadInput, "the number of decimals must be from 0 to 12", {},
+                std::to_string(decimals));
+  }
   for (int i = 0; i < decimals; ++i) power_ *= 10;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
-// Found: a layer above, a private header.
+// Found: layers above, a private header.
 #include "lar/stages.hpp"
 #include "plumbline/complex.hpp"
+#include "plumbline/lar_stages.hpp"
 // Allowed.
 #include <vector>
 

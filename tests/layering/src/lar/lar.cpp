@@ -6,4 +6,5 @@
 // Allowed.
 #include "lar/stages.hpp"
 #include "plumbline/complex.hpp"
+#include "plumbline/published_stages.hpp"
 #include "stages.hpp"

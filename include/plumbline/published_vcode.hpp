@@ -6,11 +6,13 @@
 
 namespace plumbline::lar::published {
 
-/// Fixed decimals: values rounded half away from zero to a number of decimals and to 12 significant
-/// digits, as the text of the original does. Section 2.1 uses it first (`vcode`, `fixedPrec`).
+/// Fixed decimals (vcode, fixedPrec): values rounded half away from zero to a number of decimals
+/// and to 12 significant digits, as the text of the original does. **Rounded**. Requires: values
+/// that are finite, also times ten to the number of decimals. Section 2.1 of Paoluzzi, "Accelerated
+/// intersection of geometric objects", November 2015, uses it first.
 class Vcode {
  public:
-  /// Requires: 0 <= decimals <= kMaxDecimals.
+  /// Throws: Error BadInput for decimals outside 0 to kMaxDecimals.
   explicit Vcode(int decimals);
 
   /// The value read back from its text; never -0.
