@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "plumbline/lar_stages.hpp"
 #include "plumbline/published_stages.hpp"
 #include "support/segments.hpp"
 
@@ -104,4 +105,24 @@ TEST_CASE("pairs of near vertices are listed up to a limit; the repaired merging
   CHECK_THROWS_WITH(published::prune_vertices(crowd, 0.001, 4949),
                     Catch::Contains("within the radius"));
   CHECK(published::prune_vertices(crowd, 0.001).vertices.size() == 1);
+}
+
+TEST_CASE("each two lines of a jittered pencil cut each other, up to a limit") {
+  // Tangents of a parabola: the i-th and the j-th meet at x = i + j, no three in one point.
+  constexpr std::size_t kLines = 100;
+  Graph pencil;
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const auto slope = static_cast<double>(i);
+    pencil.vertices.push_back({-1, slope * (-1 - slope)});
+    pencil.vertices.push_back({2 * kLines, slope * (2 * kLines - slope)});
+    pencil.edges.push_back({VertexId(2 * i), VertexId(2 * i + 1)});
+    pencil.edge_sources.push_back(std::vector<SegmentId>{SegmentId(i)});
+  }
+  constexpr double kRadius = 1e-6;
+  const std::vector<Box> boxes = containment_boxes(pencil, kRadius);
+  const Lists<EdgeId> buckets = box_buckets(boxes);
+  constexpr std::size_t kCuts = kLines * (kLines - 1);
+  CHECK(cut_edges(pencil, boxes, buckets, kRadius, kCuts).flat().size() == kCuts);
+  CHECK_THROWS_WITH(cut_edges(pencil, boxes, buckets, kRadius, kCuts - 1),
+                    Catch::Contains("too many places"));
 }

@@ -118,7 +118,7 @@ struct Result {
 /// the segments (SegmentIds in `edge_sources` aside); it may depend on where the drawing lies and
 /// how it is turned or mirrored. Cost: O(n log n + pairs that share a bucket) per round. Throws:
 /// Error BadInput for a radius that is negative or not finite, or a coordinate beyond the largest
-/// double.
+/// double; Limit where edges cut each other in more than 2^26 places (kMaxCuts of lar_stages.hpp).
 Result arrange(const SegmentSet& input, const Options& options = {});
 
 /// The model with vertices no further apart than the radius (raised as above) merged, transitively,

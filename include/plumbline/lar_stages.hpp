@@ -69,11 +69,15 @@ struct Meeting {
 /// in the same point. Degenerate: equal segments do not cut each other. Section 2.2.
 Meeting meet(const SegmentD& first, const SegmentD& second, double radius);
 
+/// So many cuts take some gigabytes.
+inline constexpr std::size_t kMaxCuts = std::size_t{1} << 26U;
 /// Per edge its cuts by all edges that share a bucket with it, by parameter. Of cuts that differ by
 /// rounding only (less than a quarter of the least radius) one is kept. All pieces are shorter than
-/// the edge. Section 2.2.
+/// the edge. Cost: O(pairs that share a bucket), in parallel. Throws: Error Limit where edges cut
+/// each other in more than so many places, as k^2 places of a jittered pencil of k lines; places
+/// that rounding alone tells apart count once or little more. Section 2.2.
 Lists<Cut> cut_edges(const Graph& graph, std::span<const Box> boxes, const Lists<EdgeId>& buckets,
-                     double radius);
+                     double radius, std::size_t max_cuts = kMaxCuts);
 
 /// The graph of the pieces, double edges included; points with equal coordinates are one vertex;
 /// vertices ascending. Order: edges along the edge that they are of. Cost: O(n log n). Section 2.3.

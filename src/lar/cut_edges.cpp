@@ -1,12 +1,14 @@
 // Brute force within the buckets, in parallel: buckets are independent, and so are the rows of a
 // full one. Of cuts that rounding alone tells apart most are dropped at once: a pencil of n lines
-// has n^2 of them.
+// has n^2 of them. Where its crossings are further apart, as in a jittered one, all count.
 
 #include <algorithm>
+#include <atomic>
 
 #include "lar/bucket_pairs.hpp"
 #include "lar/parallel.hpp"
 #include "lar/points.hpp"
+#include "plumbline/error.hpp"
 #include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
@@ -34,10 +36,26 @@ struct EdgeCut {
   Cut cut;
 };
 
+/// How many cuts all tasks may find together. Whether they find more does not depend on their
+/// order.
+class Allowance {
+ public:
+  explicit Allowance(std::size_t most) : most_(most) {}
+  /// Throws: Error Limit.
+  void take(std::size_t cuts) {
+    if (taken_.fetch_add(cuts, std::memory_order_relaxed) + cuts <= most_) return;
+    throw Error(ErrorCode::Limit, "the edges cut each other in too many places");
+  }
+
+ private:
+  std::size_t most_;
+  std::atomic<std::size_t> taken_{0};
+};
+
 /// Cuts as a task finds them.
 class FoundCuts {
  public:
-  explicit FoundCuts(double same) : same_(same) {}
+  FoundCuts(double same, Allowance& allowance) : same_(same), allowance_(allowance) {}
 
   /// Before the members of another bucket are cut.
   void begin_bucket(std::size_t members) { last_.assign(members, kNone); }
@@ -50,11 +68,18 @@ class FoundCuts {
       cuts_.push_back({e, cut});
     }
   }
+  /// After a bounded number of pairs.
+  void count() {
+    allowance_.take(cuts_.size() - counted_);
+    counted_ = cuts_.size();
+  }
   std::vector<EdgeCut> take() { return std::move(cuts_); }
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   double same_;
+  Allowance& allowance_;
+  std::size_t counted_ = 0;
   std::vector<std::size_t> last_;  ///< per position
   std::vector<EdgeCut> cuts_;
 };
@@ -88,13 +113,14 @@ void cut_pairs(const BucketPairs::Rows& rows, std::size_t first, std::size_t las
 }
 
 std::vector<EdgeCut> cuts_of(std::span<const BucketPairs::Rows> task, const BucketPairs& pairs,
-                             const Edges& edges) {
-  FoundCuts found(edges.same);
+                             const Edges& edges, Allowance& allowance) {
+  FoundCuts found(edges.same, allowance);
   for (const BucketPairs::Rows& rows : task) {
     const std::size_t members = pairs.bucket(rows.bucket).size();
     found.begin_bucket(members);
     for (std::size_t first = rows.begin; first < members; first += kMembersAtOnce) {
       cut_pairs(rows, first, std::min(members, first + kMembersAtOnce), pairs, edges, found);
+      found.count();
     }
   }
   return found.take();
@@ -144,7 +170,7 @@ Lists<Cut> gathered(const std::vector<std::vector<EdgeCut>>& found, const Edges&
 }  // namespace
 
 Lists<Cut> cut_edges(const Graph& graph, std::span<const Box> boxes, const Lists<EdgeId>& buckets,
-                     double radius) {
+                     double radius, std::size_t max_cuts) {
   Edges edges{segments_of(graph),
               boxes,
               {},
@@ -152,9 +178,10 @@ Lists<Cut> cut_edges(const Graph& graph, std::span<const Box> boxes, const Lists
               kLeastRelativeRadius / 4 * largest_coordinate(graph.vertices)};
   for (const SegmentD& s : edges.segments) edges.vanishes.push_back(near(s.a, s.b, radius));
   const BucketPairs pairs(graph.edges.size(), buckets);
+  Allowance allowance(max_cuts);
   std::vector<std::vector<EdgeCut>> found(pairs.task_count());
   for_blocks(found.size(), 1, [&](std::size_t task, std::size_t) {
-    found[task] = cuts_of(pairs.task(task), pairs, edges);
+    found[task] = cuts_of(pairs.task(task), pairs, edges, allowance);
   });
   return gathered(found, edges);
 }
