@@ -245,10 +245,20 @@ TEST_CASE("a fan of triangles covers a polygon, a cone of triangles makes tetrah
   CHECK(text(simplicial_fan(cells({{0, 1, 2}}), 3)) == "3,0,1,2");
 }
 
-TEST_CASE("faces without edges get them, and so a boundary") {
-  const LarModel faces{{}, 2, cuboids({3, 3}).coordinates, {cuboids({3, 3}).cells[0]}};
-  const LarModel triple = with_edges(faces);
-  REQUIRE(triple.cells.size() == 2);
-  CHECK(triple.cells[1].size() == 24);
-  CHECK(boundary_model(triple).cells[0].size() == 12);
+TEST_CASE("the boundary of polygons is that of their sides, whatever their shape") {
+  const LarModel grid = cuboids({3, 3});
+  CHECK(polygon_boundary(grid).cells[0].size() == 12);
+  // A U and what fills it: the U has both ends of the niche's opening, but not the side between.
+  const std::vector<Rational> corners{0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3};
+  const LarModel plan = lar_model(2, corners, {cells({{0, 1, 2, 3, 4, 5, 6, 7}, {5, 4, 3, 6}})});
+  CHECK(text(polygon_boundary(plan).cells[0]) == "0,1 0,7 1,2 2,3 3,6 6,7");
+  CHECK(text(boundary_polylines(polygon_boundary(plan))) == "0,1,2,3,6,7");
+  CHECK_THROWS_AS(polygon_boundary(lar_model(2, corners, {cells({{0, 1}})})), plumbline::Error);
+  CHECK_THROWS_AS(polygon_boundary(lar_model(2, corners, {cells({{0, 2, 1, 7, 5, 3}})})),
+                  plumbline::Error);
+}
+
+TEST_CASE("a grid with all skeletons draws its edges, not its vertices") {
+  CHECK(edges(cuboids({2, 1}, true)).edges.size() == 7);
+  CHECK(edges(cuboids({2, 1}, true)).refused.empty());
 }

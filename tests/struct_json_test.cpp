@@ -95,7 +95,7 @@ TEST_CASE("malformed structures are refused with their place") {
       {R"({"defs": {"S": {"body": [], "colour": 1}}, "root": "S"})",
        "a member that is not understood here: \"colour\""},
       {with_body(R"({"ref": "X"})"), "no definition has this name: \"X\""},
-      {with_body(R"({"ref": "S"})"), "cycle of references: \"S/S\""},
+      {with_body(R"({"ref": "S"})"), "a.json: cycle of references: \"S/S\""},
       {with_body(R"({"op": "q", "args": [1]})"), "not one of the operations t, s and r: \"q\""},
       {with_body(R"({"op": "r", "args": [1, 2]})"), "a rotation has one number or three"},
       {with_body(R"({"op": "t"})"), "an operation needs \"args\""},
@@ -112,6 +112,7 @@ TEST_CASE("malformed structures are refused with their place") {
       {with_body(R"({"lines": [[[0, 0], [1, 1, 1]]]})"), "not two points of the plane"},
       {with_body(R"({"lines": [[[0, 0], [1, 1], [2, 2]]]})"), "not two points of the plane"},
       {with_body(R"({"shape": []})"), "a grid of dimension 0"},
+      {with_body(R"({"lines": [[[0, 0], [1, 1]]], "rows": [[1, 2, 2]]})"), "not as many segments"},
       {with_body("7"), "not an object: \"7\""},
       {R"({"root": "S", "defs": )", "not JSON"},
   }));
@@ -138,15 +139,53 @@ TEST_CASE("a structure that is written is read back, equal") {
   Structure table = read_lines("0,0,1,1\n\n2,2,3,3\n", "c.lines");
   structure.structs[structure.root].body.push_back(
       table.structs[table.root].body.front());  // rows of their own
+  Structure features = read_wkt("LINESTRING (0 0, 1 1, 2 0)\nLINESTRING (5 5, 6 6)\n", "d.wkt");
+  auto lines = std::get<Model>(features.structs[features.root].body.front());
+  REQUIRE(lines.rows.at(0).segment_count == 2);
+  lines.row_ids = {"first"};
+  lines.rows[0].id = 1;
+  structure.structs[structure.root].body.emplace_back(lines);
   structure.structs.push_back(
       {"", "grid", {cuboids({2, 1}, true), Affine{0, 1, 1, 0, Rational(1, 3), 0}}});
   Structure again = read_text(to_json(structure));
   REQUIRE(again.files == std::vector<std::string>{"b.svg", "a.json"});
   again.files.pop_back();
-  CHECK(again.y_up);
-  again.y_up = false;  // not told by the text
   CHECK(again == structure);
   CHECK(to_json(again) == to_json(structure));
+}
+
+TEST_CASE("what is far too large is refused before it is made") {
+  const std::string text = GENERATE(
+      as<std::string>{}, R"({"shape": [268435455]})",
+      R"({"shape": [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1], "skeletons": true})",
+      R"({"shape": [3000, 3000]}, {"shape": [2999, 2999]}, {"shape": [2998, 2998]})",
+      R"({"mat": [)" + std::string(200, ' ') + "[1]" +
+          [] {
+            std::string rows;
+            for (int i = 0; i < 1000; ++i) rows += ", [1]";
+            return rows;
+          }() +
+          "]}",
+      R"({"op": "t", "args": [0)" +
+          [] {
+            std::string zeros;
+            for (int i = 0; i < 1000; ++i) zeros += ", 0";
+            return zeros;
+          }() +
+          "]}");
+  try {
+    read_text(with_body(text));
+    FAIL("no error");
+  } catch (const Error& error) {
+    CHECK(error.place().line == 1);
+  }
+  CHECK(std::get<LarModel>(
+            read_text(
+                with_body(
+                    R"({"shape": [0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0], "skeletons": true})"))
+                .structs[1]
+                .body.front())
+            .vertex_count() == 1);
 }
 
 TEST_CASE("a model is written by the names of its arrays") {

@@ -282,3 +282,24 @@ TEST_CASE("vertices are identified exactly, or after rounding half away from zer
   CHECK(struct_to_lar(near, {3, false}).vertex_count() == 2);
   CHECK_THROWS_AS(struct_to_lar(near, {-1, false}), plumbline::Error);
 }
+
+TEST_CASE("boxes that would need too many maps are refused, Structs without models cost none") {
+  std::vector<Struct> chain(40);
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    chain[i].body = {StructId(i + 1), scaling(Rational(static_cast<long>(2 * i + 3)), 1),
+                     StructId(i + 1)};
+  }
+  CHECK_FALSE(box(structure_of(chain)));
+  chain.back().body = {model("0 0, 1 0")};
+  CHECK_THROWS_AS(box(structure_of(chain)), plumbline::Error);
+}
+
+TEST_CASE("embedding changes no cells of a mixed structure") {
+  plumbline::LarModel square = plumbline::cuboids({1, 1}, true);
+  square.cells.pop_back();
+  const auto mixed = structure_of({{"", "", {square, model("5 5, 6 6")}}});
+  const auto flat = struct_to_lar(mixed);
+  const auto space = struct_to_lar(embed(mixed, 1));
+  CHECK(flat.cells[1].size() == 5);
+  CHECK(space.cells == flat.cells);
+}

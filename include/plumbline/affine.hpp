@@ -9,11 +9,15 @@
 
 namespace plumbline {
 
+/// Largest dimension of maps and models.
+inline constexpr std::size_t kMaxDimension = 64;
+
 /// Exact affine map x -> A x + t of d-dimensional space, d >= 1. Entry (i, j) is that of A, entry
 /// (i, d) that of t.
 class Affine {
  public:
-  /// The identity of the plane, of a space. Throws: Error BadInput for dimension 0.
+  /// The identity of the plane, of a space. Throws: Error BadInput for dimension 0, Limit
+  /// beyond kMaxDimension.
   Affine() : Affine(2) {}
   explicit Affine(std::size_t dimension);
   /// (x, y) -> (a x + c y + e, b x + d y + f), the order of SVG's matrix(a b c d e f).
@@ -58,7 +62,8 @@ Affine shear(std::size_t dimension, std::size_t row, std::size_t column, const R
 
 /// The map of a space with k more dimensions that does the same and leaves the new, last
 /// coordinates as they are; for k < 0 the map of the space without the last -k dimensions. Throws:
-/// Error BadInput where nothing would be left, or where the dropped coordinates act on kept ones.
+/// Error BadInput where nothing would be left, or where the dropped coordinates act on kept ones;
+/// Limit beyond kMaxDimension.
 Affine embed(const Affine& map, int k);
 
 /// An affine map that stands for one whose entries are not rational. The bound is 0 where the map
@@ -74,9 +79,8 @@ inline constexpr double kAngleBound = 1e-15;
 /// Rotation about the origin by an angle in degrees (from +x towards +y). A multiple of 90 is
 /// exact. Any other angle is replaced by a rational rotation (((1-t^2)/(1+t^2), 2t/(1+t^2)) with
 /// rational t, so still an exact isometry) whose angle deviates by at most `bound` radians; the
-/// bound is in the result. The simplest such t within the bound is taken (a convergent of a
-/// continued fraction). Throws: Error BadInput for a bound that is not positive and finite; the
-/// same below.
+/// bound is in the result. t is the first convergent of its continued fraction within the bound.
+/// Throws: Error BadInput for a bound that is not positive and finite; the same below.
 ApproximateAffine rotation(const Rational& degrees, double bound = kAngleBound);
 /// The same by an angle in radians. Only 0 is exact in the sense of the bound in the result; but
 /// where a multiple of a quarter turn lies within the bound it is taken.

@@ -71,9 +71,10 @@ LarModel lar_model(const Model& model);
 /// integer points, the last coordinate fastest, cells in the same order. With `skeletons` also its
 /// cells of dimensions d-1, ..., 0, those with the first coordinates free last. Degenerate: an
 /// extent of 0 has vertices but no d-cells. Throws: Error BadInput for dimension 0, Limit beyond 24
-/// dimensions and 2^28 coordinates or indices. Source:
+/// dimensions and kMaxGridNumbers coordinates or indices. Source:
 /// larCuboids of larcc's module largrid.
 LarModel cuboids(const std::vector<std::uint32_t>& shape, bool skeletons = false);
+inline constexpr std::uint64_t kMaxGridNumbers = std::uint64_t{1} << 25U;
 
 /// The cells of dimension k+1 spanned by an apex and k-cells: the cone over them; over the edges of
 /// a polygon the fan of triangles. Cells that hold the apex are left out.
@@ -86,12 +87,12 @@ Cells simplicial_fan(const Cells& cells, std::uint32_t apex);
 std::vector<std::uint32_t> boundary_cells(const LarModel& model, std::size_t k = 0);
 /// The incidences behind it: per facet in cells[k + 1] the cells of cells[k] that hold it.
 Cells facet_cells(const LarModel& model, std::size_t k = 0);
-/// (V, boundary facets), all vertices kept.
+/// (V, boundary facets), all vertices kept. Requires: two arrays of cells.
 LarModel boundary_model(const LarModel& model);
-/// The edges of a model (V, FV, EV)'s boundary as closed polylines of vertex indices, the first not
-/// repeated. Each is simple: where the walk meets itself a polyline is split off; begins with the
-/// least vertex that is left, walks to the lower neighbour first. Throws: Error BadInput where the
-/// boundary edges do not close (an odd number meet in a vertex).
+/// The edges of a model (V, FV, EV)'s boundary, or of a model (V, EV), as closed polylines of
+/// vertex indices, the first not repeated. Each is simple: where the walk meets itself a polyline
+/// is split off; begins with the least vertex that is left, walks to the lower neighbour first.
+/// Throws: Error BadInput where the boundary edges do not close (an odd number meet in a vertex).
 Cells boundary_polylines(const LarModel& model);
 
 /// What a model of the plane draws: its edges as pairs of vertices, each once, and the cells that
@@ -101,7 +102,8 @@ struct ModelEdges {
   std::vector<std::pair<std::uint32_t, std::string>> refused;  ///< cell and reason
 };
 
-/// The edges of a model's last array: EV in (V, FV, EV). A cell of two vertices is an edge. A cell
+/// The edges of a model's last array, of those with other cells than single vertices: EV in
+/// (V, FV, EV). A cell of two vertices is an edge. A cell
 /// of more vertices of which no edges are given is the polygon of its vertices in their order where
 /// that is simple; else, as for MKPOL, the convex hull, where every vertex lies on its boundary;
 /// else it is refused, as are cells of one vertex, of repeated vertices and of more than
@@ -109,7 +111,10 @@ struct ModelEdges {
 ModelEdges edges(const LarModel& model);
 inline constexpr std::size_t kMaxPolygon = 10'000;
 
-/// The model with these edges as one more array: (V, FV) becomes (V, FV, EV).
-LarModel with_edges(const LarModel& model);
+/// (V, sides that an odd number of the cells of the first array have): the boundary mod 2 of a
+/// model of the plane, its cells taken as the polygons that `edges` draws, whatever their shape.
+/// Throws: Error BadInput for a cell that can't be drawn and for one of two vertices, which has no
+/// sides.
+LarModel polygon_boundary(const LarModel& model);
 
 }  // namespace plumbline

@@ -110,8 +110,8 @@ Structure read_lar_json(std::string_view text, const std::string& file_name);
 /// (radians), {"op": "r", "degrees": x} or {"mat": [[...], ...]}, models and Structs; or a model:
 /// {"V", "CV"}, {"V", "FV", "EV"}, {"V", "cells"}, {"lines": [[[x, y], [x, y]], ...]} or the grid
 /// {"shape": [...]}. Numbers are decimals, or strings "p/q". Documented in docs/json.md. Rotations
-/// that are replaced are in the ledger. Throws: Error BadInput, with its place, for anything else;
-/// Limit. Cycles and mixed dimensions are found when the structure is used (`dimension`).
+/// that are replaced are in the ledger. Throws: Error BadInput, with its place, for anything else,
+/// a cycle of references and mixed dimensions among it; Limit.
 Structure read_struct_json(std::string_view text, const std::string& file_name,
                            const ReadOptions& options = {});
 

@@ -99,16 +99,17 @@ struct ToLarOptions {
   /// Vertices are the same when they are equal after rounding to this many decimals, half away from
   /// zero, and get the rounded coordinates (`vcode`); else when they are equal.
   std::optional<int> decimals;
-  /// Whether cells with equal sets of vertices are kept once, the first of them (larstruct since
-  /// November 2015), or each time.
+  /// Whether cells of the same vertices, in any order, are kept once, the first of them (larstruct
+  /// since November 2015), or each time.
   bool merge_cells = false;
 };
 
 /// The whole structure as one model: vertices that cells use, in the order of first use; cells in
 /// traversal order, each with its vertices in the order given. First arrays go to the first array
-/// and so on, segments to the last; there are as many as the model with the most has. **Exact**
-/// unless decimals are given. Degenerate: the empty structure gives an empty model of dimension 2.
-/// Throws: as Traversal; Limit beyond `max_words`. Source: struct2lar (larstruct 2015, 3.1).
+/// and so on; segments, and models of nothing but edges, to the last; there are as many as the
+/// model with the most has. **Exact** unless decimals are given. Degenerate: the empty structure
+/// gives an empty model of dimension 2. Throws: as Traversal; Limit beyond `max_words`. Source:
+/// struct2lar (larstruct 2015, 3.1).
 LarModel struct_to_lar(const Structure& structure, const ToLarOptions& options = {},
                        std::size_t max_words = kMaxEvaluatedWords);
 
@@ -121,11 +122,13 @@ struct Box {
 
 /// The box of all vertices of the structure, after all maps; none where there are none. **Exact**,
 /// under rotations too. Cost: each Struct is looked at once per different linear part of the maps
-/// above it. Throws: as `dimension`. Source: larstruct 2015, 2.4, which transforms only the corners
+/// above it. Throws: as `dimension`; Error Limit where these, or their numbers, are too many.
+/// Source: larstruct 2015, 2.4, which transforms only the corners
 /// of nested boxes.
 std::optional<Box> box(const Structure& structure);
 
-/// The structure reduced to what stands within Structs of the given category, maps kept.
+/// The structure reduced to what stands within Structs of the given category, maps kept; Structs
+/// without models are left out. Throws: as `dimension`.
 Structure filter(const Structure& structure, const std::string& category);
 
 /// All models and maps with k more dimensions, or -k fewer; Models become LarModels (V, EV).

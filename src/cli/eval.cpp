@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "cli/commands.hpp"
@@ -12,12 +14,34 @@
 namespace plumbline::cli {
 namespace {
 
+/// Exact where that is short, else the nearest doubles.
 std::string point_text(const std::vector<Number>& coordinates) {
+  constexpr std::size_t kShort = 20;
   std::string text;
   for (const Number& x : coordinates) {
-    text += (text.empty() ? "" : " ") + exact_text(x.rational());
+    const std::string exact = exact_text(x.rational());
+    text += (text.empty() ? "" : " ") +
+            (exact.size() <= kShort ? exact : '~' + shortest_text(nearest_double(x)));
   }
   return text;
+}
+
+/// The categories that there are, for who asked for another.
+std::string categories(const Structure& structure) {
+  std::set<std::string> names;
+  for (const Struct& s : structure.structs) names.insert(s.category);
+  names.erase("");
+  if (names.empty()) return "there are none";
+  return fmt::format("there are {}", fmt::join(names, ", "));
+}
+
+Structure only(const Structure& structure, const std::string& category) {
+  const auto is_of = [&](const Struct& s) { return s.category == category; };
+  if (std::none_of(structure.structs.begin(), structure.structs.end(), is_of)) {
+    throw Error(ErrorCode::BadInput, "no structure of this category; " + categories(structure), {},
+                category);
+  }
+  return filter(structure, category);
 }
 
 void print_structure(const Structure& structure) {
@@ -50,13 +74,14 @@ Structure structure_of(LarModel model, bool y_up) {
   return structure;
 }
 
-/// The boundary of the chain of all cells. Cells of the plane without edges get them first.
+/// The boundary of the chain of all cells; in the plane by the sides of its polygons, elsewhere by
+/// the facets that its cells hold.
 LarModel boundary(const LarModel& model) {
-  const bool needs_edges = model.dimension == 2 && model.cells.size() == 1;
-  if (!needs_edges && model.cells.size() < 2) {
+  if (model.dimension == 2) return polygon_boundary(model);
+  if (model.cells.size() < 2) {
     throw Error(ErrorCode::BadInput, "the boundary of cells without facets, (V, CV), is not known");
   }
-  return boundary_model(needs_edges ? with_edges(model) : model);
+  return boundary_model(model);
 }
 
 /// The structure as lines of the plane; one of space in an oblique view, (x + y/2, z + y/4).
@@ -75,12 +100,15 @@ SegmentSet drawn(const Structure& structure) {
 
 ExitCode run(const EvalArguments& arguments) {
   check_outputs(arguments.file, {{arguments.output, {".json", ".svg"}}});
+  if (arguments.as_structure && (!arguments.output || ending(*arguments.output) != ".json")) {
+    throw Error(ErrorCode::BadInput, "--structure needs -o with a .json file");
+  }
   Structure structure;
   {
     const Progress progress("reading " + arguments.file);
     structure = read(arguments.file, arguments.reading);
   }
-  if (arguments.category) structure = filter(structure, *arguments.category);
+  if (arguments.category) structure = only(structure, *arguments.category);
   if (arguments.embed != 0) structure = embed(structure, arguments.embed);
   print_structure(structure);
   SegmentSet report;  // nothing but what was refused and replaced
@@ -97,7 +125,11 @@ ExitCode run(const EvalArguments& arguments) {
              exactness_line(report));
   if (!arguments.output) return kAgree;
   if (ending(*arguments.output) == ".svg") {
-    write_file(*arguments.output, to_svg(drawn(structure)));
+    const SegmentSet lines = drawn(structure);
+    if (!lines.rejected.empty()) {
+      fmt::print("{} not drawn\n{}", lines.rejected.size(), rejected_lines(lines));
+    }
+    write_file(*arguments.output, to_svg(lines));
   } else if (arguments.as_structure) {
     std::swap(report.files, structure.files);
     std::swap(report.rejected, structure.rejected);

@@ -38,6 +38,11 @@ void add_input(CLI::App& command, InputArguments& arguments, const char* file = 
           "Curves become chords no further than this from the curve, in the units of the curve's "
           "own coordinates [default: 0.001 x the curve's longer side]")
       ->type_name("TOLERANCE");
+  command
+      .add_option("--angle", arguments.reading.angle_bound,
+                  "Rotations become rational ones, their angles within this [default: 1e-15]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("RADIANS");
   command.add_flag("--visible", arguments.reading.visible_only,
                    "Leave out, and list, what the drawing hides; else it is drawn");
 }
@@ -134,6 +139,7 @@ void add_eval_command(CLI::App& app, EvalArguments& arguments, ExitCode& exit_co
   command
       ->add_option("--decimals", arguments.decimals,
                    "Identify vertices that are equal after rounding to N decimals [default: exact]")
+      ->check(CLI::Range(0, Number::kMaxDigits))
       ->type_name("N");
   command->add_flag("--merge-cells", arguments.merge_cells, "Keep repeated cells once");
   command->add_flag("--boundary", arguments.boundary,

@@ -20,7 +20,11 @@ class StructJsonReader {
     structure_.y_up = true;
     const JsonValue root = tree_.root();
     expect(root, JsonType::Object, "an object");
-    expect_members(root, {"root", "defs", "description", "files", "rejected", "ledger"});
+    expect_members(root, {"root", "defs", "description", "files", "rejected", "ledger", "y_up"});
+    if (const JsonValue y_up = root.find("y_up")) {
+      expect(y_up, JsonType::Bool, "true or false");
+      structure_.y_up = y_up.text() == "true";
+    }
     read_files(root.find("files"));
     const JsonValue defs = root.find("defs");
     if (!defs) root.fail("no member \"defs\"");
@@ -67,7 +71,7 @@ class StructJsonReader {
     Struct result;
     result.name = valid_line(def.key());
     if (!body) {
-      result.body.push_back(read_model(def, structure_.files, numbers_));
+      result.body.push_back(model(def));
     } else {
       expect_members(def, {"type", "name", "category", "body"});
       if (const JsonValue type = def.find("type"); type && type.text() != "Struct") {
@@ -97,8 +101,24 @@ class StructJsonReader {
       waiting_.emplace_back(item, id);
       to.body.emplace_back(id);
     } else {
-      to.body.push_back(read_model(item, structure_.files, numbers_));
+      to.body.push_back(model(item));
     }
+  }
+
+  /// All grids of a file together take no more than twice what one may take: they are a few bytes
+  /// of text each.
+  Struct::Item model(const JsonValue& value) {
+    Struct::Item result = read_model(value, structure_.files, numbers_);
+    if (!value.find("shape")) return result;
+    const auto& grid = std::get<LarModel>(result);
+    grid_numbers_ += grid.coordinates.size();
+    for (const Cells& cells : grid.cells) grid_numbers_ += cells.flat().size();
+    if (grid_numbers_ > 2 * kMaxGridNumbers) {
+      throw Error(ErrorCode::Limit,
+                  "grids of more than " + std::to_string(2 * kMaxGridNumbers) + " numbers in all",
+                  value.place());
+    }
+    return result;
   }
 
   // Maps.
@@ -113,6 +133,9 @@ class StructJsonReader {
     if (!args || degrees) item.fail("an operation needs \"args\", or r \"degrees\"");
     const std::vector<Rational> values = rationals_of(args, numbers_);
     if (values.empty()) args.fail("no numbers");
+    if (values.size() > kMaxDimension) {
+      args.fail("a map of more than " + std::to_string(kMaxDimension) + " dimensions");
+    }
     if (op == "t") return translation(values);
     if (op == "s") return scaling(values);
     if (op != "r") item.find("op").fail("not one of the operations t, s and r");
@@ -143,6 +166,9 @@ class StructJsonReader {
   Affine matrix(const JsonValue& rows) {
     expect(rows, JsonType::Array, "a list of rows");
     if (rows.size() < 2) rows.fail("a matrix of less than two rows");
+    if (rows.size() > kMaxDimension + 1) {
+      rows.fail("a matrix of more than " + std::to_string(kMaxDimension) + " dimensions");
+    }
     Affine map(rows.size() - 1);
     std::size_t i = 0;
     for (JsonValue row = rows.first(); row; row = row.next(), ++i) {
@@ -195,6 +221,7 @@ class StructJsonReader {
   Structure structure_;
   Numbers numbers_;
   double angle_bound_ = kAngleBound;
+  std::uint64_t grid_numbers_ = 0;
   std::map<std::string, StructId, std::less<>> ids_;
   std::vector<std::pair<JsonValue, StructId>> waiting_;  ///< definitions, in the order of reading
 };
@@ -202,7 +229,14 @@ class StructJsonReader {
 }  // namespace
 
 Structure read_struct_json(ByteStream& bytes, const ReadOptions& options) {
-  return StructJsonReader(bytes).read(options.angle_bound);
+  Structure structure = StructJsonReader(bytes).read(options.angle_bound);
+  try {
+    dimension(structure);  // finds cycles and mixed dimensions
+  } catch (const Error& error) {
+    if (!error.place().file.empty()) throw;
+    throw Error(error.code(), error.message(), {bytes.file(), 0, 0}, error.offending_text());
+  }
+  return structure;
 }
 
 Structure read_struct_json(std::string_view text, const std::string& file_name,

@@ -18,6 +18,9 @@ void read_vertices(const JsonValue& model, LarModel& result, Numbers& numbers) {
   for (JsonValue vertex = vertices.first(); vertex; vertex = vertex.next()) {
     expect(vertex, JsonType::Array, "a point");
     if (vertex.size() == 0) vertex.fail("a point without coordinates");
+    if (vertex.size() > kMaxDimension) {
+      vertex.fail("a point of more than " + std::to_string(kMaxDimension) + " dimensions");
+    }
     if (is_first) result.dimension = vertex.size();
     is_first = false;
     if (vertex.size() != result.dimension) vertex.fail("points of different dimensions");
@@ -51,6 +54,16 @@ void read_cells(const JsonValue& model, LarModel& result) {
   }
 }
 
+/// The grid, its place told where it is too large.
+LarModel cuboids_of(const JsonValue& extents, const std::vector<std::uint32_t>& shape,
+                    bool skeletons) {
+  try {
+    return cuboids(shape, skeletons);
+  } catch (const Error& error) {
+    throw Error(error.code(), error.message(), extents.place());
+  }
+}
+
 LarModel grid(const JsonValue& value, const std::vector<std::string>& files) {
   expect_members(value, {"type", "shape", "skeletons", "boundary"});
   const auto flag = [&](const char* name) {
@@ -66,20 +79,39 @@ LarModel grid(const JsonValue& value, const std::vector<std::string>& files) {
   }
   if (shape.empty()) extents.fail("a grid of dimension 0");
   const bool boundary = flag("boundary");
-  LarModel result = cuboids(shape, boundary || flag("skeletons"));
+  LarModel result = cuboids_of(extents, shape, boundary || flag("skeletons"));
   if (boundary) result = boundary_model(result);
   result.source = source_of(value, "cuboids", files);
   return result;
 }
 
+/// Rows [line, column, count of segments, id], of which the count may be missing, then 1, and the
+/// id.
 void read_rows(const JsonValue& rows, Model& model) {
   expect(rows, JsonType::Array, "a list of lines and columns");
-  if (rows.size() != model.segments.size()) rows.fail("not as many rows as lines");
+  std::size_t segments = 0;
   for (JsonValue row = rows.first(); row; row = row.next()) {
     expect(row, JsonType::Array, "a line and a column");
-    if (row.size() != 2) row.fail("not a line and a column");
-    model.rows.push_back({index_of(row.first()), index_of(row.first().next())});
+    constexpr std::size_t kMost = 4;
+    if (row.size() < 2 || row.size() > kMost) row.fail("not a line, a column, a count and an id");
+    Model::Row result;
+    JsonValue value = row.first();
+    result.line = index_of(value);
+    value = value.next();
+    result.column = index_of(value);
+    value = value.next();
+    if (value) {
+      result.segment_count = index_of(value);
+      value = value.next();
+    }
+    if (value) {
+      model.row_ids.push_back(string_of(value));
+      result.id = static_cast<std::uint32_t>(model.row_ids.size());
+    }
+    segments += result.segment_count;
+    model.rows.push_back(result);
   }
+  if (segments != model.segments.size()) rows.fail("not as many segments in rows as lines");
 }
 
 Model lines(const JsonValue& value, const std::vector<std::string>& files, Numbers& numbers) {

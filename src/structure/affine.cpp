@@ -23,6 +23,9 @@ void add_product(Number& sum, const Number& p, const Number& q) {
 
 void require_dimension(std::size_t dimension) {
   if (dimension == 0) throw Error(ErrorCode::BadInput, "an affine map of dimension 0");
+  if (dimension > kMaxDimension) {
+    throw Error(ErrorCode::Limit, "a dimension of more than " + std::to_string(kMaxDimension));
+  }
 }
 
 Affine diagonal(std::span<const Rational> factors) {
@@ -33,9 +36,9 @@ Affine diagonal(std::span<const Rational> factors) {
 
 }  // namespace
 
-Affine::Affine(std::size_t dimension)
-    : dimension_(dimension), entries_(dimension * (dimension + 1)) {
+Affine::Affine(std::size_t dimension) : dimension_(dimension) {
   require_dimension(dimension);
+  entries_.resize(dimension * (dimension + 1));
   for (std::size_t i = 0; i < dimension; ++i) (*this)(i, i) = one();
 }
 

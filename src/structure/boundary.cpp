@@ -1,7 +1,6 @@
 // Incidences of LAR models, mod 2, and their boundaries.
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <string>
 
@@ -93,23 +92,24 @@ Cells facet_cells(const LarModel& model, std::size_t k) {
   const Cells& facets = model.cells[k + 1];
   const Cells holders = cells_of_vertices(model.cells[k], model.vertex_count());
   Cells result;
-  std::vector<std::uint32_t> common, kept;
+  std::vector<std::uint32_t> vertices, holding;
   for (std::size_t f = 0; f < facets.size(); ++f) {
-    common.clear();
-    bool first = true;
-    for (const std::uint32_t v : facets[f]) {
-      const auto of_v = holders[v];
-      if (first) {
-        common.assign(of_v.begin(), of_v.end());
-        first = false;
-        continue;
+    // The fewest candidates, looked up in the longer lists: a hub of many cells costs no more.
+    vertices.assign(facets[f].begin(), facets[f].end());
+    std::sort(vertices.begin(), vertices.end(), [&](std::uint32_t v, std::uint32_t w) {
+      return holders[v].size() < holders[w].size();
+    });
+    holding.clear();
+    if (!vertices.empty()) {
+      for (const std::uint32_t cell : holders[vertices.front()]) {
+        if (std::all_of(vertices.begin() + 1, vertices.end(), [&](std::uint32_t v) {
+              return std::binary_search(holders[v].begin(), holders[v].end(), cell);
+            })) {
+          holding.push_back(cell);
+        }
       }
-      kept.clear();
-      std::set_intersection(common.begin(), common.end(), of_v.begin(), of_v.end(),
-                            std::back_inserter(kept));
-      common.swap(kept);
     }
-    result.push_back(common);
+    result.push_back(holding);
   }
   return result;
 }
@@ -132,7 +132,8 @@ LarModel boundary_model(const LarModel& model) {
 }
 
 Cells boundary_polylines(const LarModel& model) {
-  const Cells boundary = std::move(boundary_model(model).cells.front());
+  const Cells boundary =
+      model.cells.size() == 1 ? model.cells.front() : boundary_model(model).cells.front();
   Walks walks(model.vertex_count());
   for (std::size_t e = 0; e < boundary.size(); ++e) {
     const auto edge = boundary[e];

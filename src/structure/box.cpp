@@ -6,11 +6,15 @@
 #include "plumbline/error.hpp"
 #include "plumbline/structure.hpp"
 #include "structure/check.hpp"
+#include "structure/words.hpp"
 
 namespace plumbline {
 namespace {
 
 using MaybeBox = std::optional<Box>;
+
+/// Of the maps under which boxes are known: one for each Struct and linear part.
+constexpr std::size_t kMaxBoxWords = std::size_t{1} << 24U;
 
 void extend(MaybeBox& box, std::span<const Number> p) {
   if (!box) box = Box{{p.begin(), p.end()}, {p.begin(), p.end()}};
@@ -30,8 +34,8 @@ Affine linear_part(Affine map) {
 /// in it, each under the linear part of the product of the maps above it, moved by its rest.
 class Boxes {
  public:
-  Boxes(const Structure& structure, std::size_t dimension)
-      : structure_(structure), dimension_(dimension) {}
+  Boxes(const Structure& structure, const Checked& checked)
+      : structure_(structure), checked_(checked), dimension_(checked.dimension) {}
 
   MaybeBox run() {
     const auto root = known_.try_emplace({structure_.root, entries(Affine(dimension_))}).first;
@@ -67,15 +71,21 @@ class Boxes {
   /// Takes the frame's next item, unless it has to wait for a Struct that is not known yet.
   void look_at(const Struct::Item& item, Frame& frame) {
     if (const auto* id = std::get_if<StructId>(&item)) {
+      if (checked_.instances[*id] == 0) {
+        ++frame.next;
+        return;
+      }
       Affine linear = linear_part(frame.map);
       const auto [place, is_new] = known_.try_emplace({*id, entries(linear)});
       if (is_new) {
+        budget_.spend(2 * checked_words(linear));  // here and on the way
         frames_.push_back({*id, 0, std::move(linear), {}, &place->second});
         return;  // comes back to this item
       }
       if (place->second) add(*place->second, frame);
     } else if (const auto* map = std::get_if<Affine>(&item)) {
       frame.map = compose(frame.map, *map);
+      checked_words(frame.map);
     } else if (const auto* model = std::get_if<Model>(&item)) {
       for (std::size_t i = 0; i < model->segments.size(); ++i) {
         add(model->segments.numbers(i).first<2>(), frame);
@@ -105,7 +115,9 @@ class Boxes {
   }
 
   const Structure& structure_;
+  const Checked& checked_;
   std::size_t dimension_;
+  WordBudget budget_{kMaxBoxWords};
   std::map<Key, MaybeBox> known_;
   std::vector<Frame> frames_;
   std::vector<Number> image_;
@@ -114,9 +126,9 @@ class Boxes {
 }  // namespace
 
 std::optional<Box> box(const Structure& structure) {
-  const std::size_t dimension = check(structure).dimension;
-  if (dimension == 0) return std::nullopt;
-  return Boxes(structure, dimension).run();
+  const Checked checked = check(structure);
+  if (checked.dimension == 0) return std::nullopt;
+  return Boxes(structure, checked).run();
 }
 
 }  // namespace plumbline

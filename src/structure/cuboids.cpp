@@ -35,12 +35,19 @@ class Odometer {
 
 class Grid {
  public:
-  explicit Grid(const std::vector<std::uint32_t>& shape) : shape_(shape), stride_(shape.size()) {
+  /// Throws: Error Limit for a grid that is too large, before anything is made.
+  Grid(const std::vector<std::uint32_t>& shape, bool skeletons)
+      : shape_(shape), stride_(shape.size()) {
+    // An axis along which a cell extends has n places with 2 corners each, any other n + 1 places.
     std::uint64_t vertices = 1;
+    std::uint64_t indices = 1;
     for (std::size_t i = shape.size(); i-- > 0;) {
+      const std::uint64_t n = shape[i];
       stride_[i] = static_cast<std::uint32_t>(vertices);
-      vertices *= std::uint64_t{shape[i]} + 1;
+      vertices *= n + 1;
+      indices *= skeletons ? 3 * n + 1 : 2 * n;
       require_room(vertices * shape.size());
+      require_room(indices);
     }
     vertices_ = vertices;
   }
@@ -72,14 +79,17 @@ class Grid {
 
  private:
   static void require_room(std::uint64_t count) {
-    constexpr std::uint64_t kMaxNumbers = std::uint64_t{1} << 28U;
-    if (count > kMaxNumbers) throw Error(ErrorCode::Limit, "a grid of more than 2^28 numbers");
+    if (count <= kMaxGridNumbers) return;
+    throw Error(ErrorCode::Limit,
+                "a grid of more than " + std::to_string(kMaxGridNumbers) + " numbers");
   }
 
   void append(const std::vector<bool>& along, Cells& cells) const {
+    for (std::size_t i = 0; i < shape_.size(); ++i) {
+      if (along[i] && shape_[i] == 0) return;
+    }
     std::vector<std::uint32_t> corners{0};  // offsets of a cell's vertices from its first
     std::vector<std::uint32_t> extents = shape_;
-    std::uint64_t count = 1;
     for (std::size_t i = 0; i < shape_.size(); ++i) {
       if (along[i]) {
         const std::vector<std::uint32_t> low = corners;
@@ -87,11 +97,8 @@ class Grid {
       } else {
         ++extents[i];
       }
-      count *= extents[i];  // below 2^28 d, as the vertices
     }
     std::sort(corners.begin(), corners.end());
-    require_room(count);
-    require_room(count * corners.size() + cells.flat().size());
     std::vector<std::uint32_t> cell(corners.size());
     for (Odometer point(extents); !point.done(); point.next()) {
       const auto first = std::inner_product(stride_.begin(), stride_.end(), point.at().begin(), 0U);
@@ -109,12 +116,12 @@ class Grid {
 }  // namespace
 
 LarModel cuboids(const std::vector<std::uint32_t>& shape, bool skeletons) {
-  constexpr std::size_t kMaxDimension = 24;  // 2^24 corners per cell
+  constexpr std::size_t kMaxAxes = 24;  // 2^24 corners per cell
   if (shape.empty()) throw Error(ErrorCode::BadInput, "a grid of dimension 0");
-  if (shape.size() > kMaxDimension) {
+  if (shape.size() > kMaxAxes) {
     throw Error(ErrorCode::Limit, "a grid of more than 24 dimensions");
   }
-  const Grid grid(shape);
+  const Grid grid(shape, skeletons);
   LarModel model;
   model.dimension = shape.size();
   model.coordinates = grid.coordinates();

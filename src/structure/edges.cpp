@@ -61,17 +61,21 @@ class CellEdges {
   bool is_simple(const Cycle& cycle) const {
     struct Side {
       std::uint32_t place, low, high;  ///< in the cycle; vertices by point
+      const Rational* bottom;
+      const Rational* top;
     };
     std::vector<Side> sides;
     for (std::uint32_t i = 0; i < cycle.size(); ++i) {
       const auto [low, high] = std::minmax(cycle[i], cycle[(i + 1) % cycle.size()], by_point());
-      sides.push_back({i, low, high});
+      const auto [bottom, top] = std::minmax(at(low).y, at(high).y);
+      sides.push_back({i, low, high, &bottom, &top});
     }
     std::sort(sides.begin(), sides.end(),
               [&](const Side& s, const Side& t) { return at(s.low) < at(t.low); });
     for (std::size_t i = 0; i < sides.size(); ++i) {
       for (std::size_t j = i + 1; j < sides.size(); ++j) {
         if (at(sides[i].high).x < at(sides[j].low).x) break;
+        if (*sides[i].top < *sides[j].bottom || *sides[j].top < *sides[i].bottom) continue;
         const std::size_t gap = (sides[j].place + cycle.size() - sides[i].place) % cycle.size();
         const bool neighbours = gap == 1 || gap + 1 == cycle.size();
         if (neighbours ? fold(sides[i].low, sides[i].high, sides[j].low, sides[j].high)
@@ -135,6 +139,21 @@ class CellEdges {
   std::vector<Point> points_;
 };
 
+/// Each edge from its lesser vertex, and all in order.
+void sort_ends(ModelEdges& found) {
+  for (auto& [tail, head] : found.edges) {
+    if (tail > head) std::swap(tail, head);
+  }
+  std::sort(found.edges.begin(), found.edges.end());
+}
+
+/// The last array with other cells than single vertices; if there is none the last.
+std::vector<Cells>::const_iterator drawn_array(const LarModel& model) {
+  const auto has_edges = [](const Cells& cells) { return cells.flat().size() > cells.size(); };
+  const auto found = std::find_if(model.cells.rbegin(), model.cells.rend(), has_edges);
+  return found == model.cells.rend() ? model.cells.end() - 1 : found.base() - 1;
+}
+
 }  // namespace
 
 ModelEdges edges(const LarModel& model) {
@@ -142,24 +161,38 @@ ModelEdges edges(const LarModel& model) {
   ModelEdges result;
   if (model.cells.empty()) return result;
   const CellEdges cell_edges(model);
-  const Cells& cells = model.cells.back();
+  const Cells& cells = *drawn_array(model);
   for (std::uint32_t c = 0; c < cells.size(); ++c) {
     std::string reason = cell_edges.add(cells[c], result);
     if (!reason.empty()) result.refused.emplace_back(c, std::move(reason));
   }
-  for (auto& [tail, head] : result.edges) {
-    if (tail > head) std::swap(tail, head);
-  }
-  std::sort(result.edges.begin(), result.edges.end());
+  sort_ends(result);
   result.edges.erase(std::unique(result.edges.begin(), result.edges.end()), result.edges.end());
   return result;
 }
 
-LarModel with_edges(const LarModel& model) {
-  LarModel result = model;
-  Cells pairs;
-  for (const auto& edge : edges(model).edges) pairs.push_back(edge);
-  result.cells.push_back(std::move(pairs));
+LarModel polygon_boundary(const LarModel& model) {
+  if (model.dimension != 2)
+    throw Error(ErrorCode::BadInput, "polygons of a model not in the plane");
+  ModelEdges sides;
+  const CellEdges cell_edges(model);
+  for (std::uint32_t c = 0; !model.cells.empty() && c < model.cells.front().size(); ++c) {
+    const auto cell = model.cells.front()[c];
+    std::string reason = cell_edges.add(cell, sides);
+    if (cell.size() == 2) reason = "a cell of two vertices has no sides";
+    if (!reason.empty()) {
+      throw Error(ErrorCode::BadInput, reason, {}, "cell " + std::to_string(c));
+    }
+  }
+  sort_ends(sides);
+  LarModel result{model.source, model.dimension, model.coordinates, {}};
+  Cells odd;
+  for (auto side = sides.edges.begin(); side != sides.edges.end();) {
+    const auto next = std::upper_bound(side, sides.edges.end(), *side);
+    if ((next - side) % 2 == 1) odd.push_back(*side);
+    side = next;
+  }
+  result.cells.push_back(std::move(odd));
   return result;
 }
 

@@ -91,19 +91,27 @@ class Evaluation {
       NumberPoint a = map({numbers[0], numbers[1]});
       NumberPoint b = map({numbers[2], numbers[3]});
       budget_.spend(words(a) + words(b));
-      result_.add(std::move(a), std::move(b), source);
+      add(std::move(a), std::move(b), source);
     }
+  }
+
+  void add(NumberPoint a, NumberPoint b, SourceId source) {
+    constexpr std::size_t kWordsOfRejected = 50;
+    const std::size_t rejected = result_.rejected.size();
+    result_.add(std::move(a), std::move(b), source);
+    if (result_.rejected.size() > rejected) budget_.spend(kWordsOfRejected);
   }
 
   void add(const LarModel& model, const PlaneMap& map) {
     const SourceId id = add_source(model.source);
+    budget_.spend(model.vertex_count());
     images_.clear();
     for (std::size_t v = 0; v < model.vertex_count(); ++v) {
       images_.push_back(map({model.vertex(v)[0], model.vertex(v)[1]}));
     }
     for (const auto& [tail, head] : edges_of(model).edges) {
       budget_.spend(words(images_[tail]) + words(images_[head]));
-      result_.add(images_[tail], images_[head], id);
+      add(images_[tail], images_[head], id);
     }
   }
 

@@ -15,6 +15,9 @@ void check(const LarModel& model, const std::vector<std::string>& files) {
                 {s.file < files.size() ? files[s.file] : std::string(), s.line, s.column}, s.id);
   };
   if (model.dimension == 0) fail("a model of dimension 0");
+  if (model.dimension > kMaxDimension) {
+    fail("a model of a dimension of more than " + std::to_string(kMaxDimension));
+  }
   if (model.coordinates.size() % model.dimension != 0) {
     fail("coordinates of a model that are no whole number of vertices");
   }
@@ -69,6 +72,9 @@ LarModel apply(const Affine& map, LarModel model) {
 LarModel embed(const LarModel& model, int k) {
   const long to = static_cast<long>(model.dimension) + k;
   if (to <= 0) throw Error(ErrorCode::BadInput, "a projection that leaves no dimension");
+  if (to > static_cast<long>(kMaxDimension)) {
+    throw Error(ErrorCode::Limit, "a dimension of more than " + std::to_string(kMaxDimension));
+  }
   LarModel result{model.source, static_cast<std::size_t>(to), {}, model.cells};
   const std::size_t kept = std::min(model.dimension, result.dimension);
   result.coordinates.resize(model.vertex_count() * result.dimension);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "plumbline/structure.hpp"
+#include "structure/check.hpp"
 
 namespace plumbline {
 namespace {
@@ -17,6 +18,31 @@ Structure changed(const Structure& structure, Change change) {
     }
   }
   return result;
+}
+
+/// The structure without what its root does not lead to and what holds no models, in the order of
+/// the Structs.
+Structure pruned(Structure structure) {
+  const Checked checked = check(structure);
+  std::vector<StructId> place(structure.structs.size());
+  std::vector<Struct> kept;
+  for (std::size_t s = 0; s < structure.structs.size(); ++s) {
+    if (checked.instances[s] == 0 && s != structure.root) continue;
+    place[s] = StructId(kept.size());
+    kept.push_back(std::move(structure.structs[s]));
+  }
+  for (Struct& s : kept) {
+    std::vector<Struct::Item> body;
+    for (Struct::Item& item : s.body) {
+      auto* id = std::get_if<StructId>(&item);
+      if (id != nullptr) *id = place[*id];
+      if (id == nullptr || id->valid()) body.push_back(std::move(item));
+    }
+    s.body = std::move(body);
+  }
+  structure.root = place[structure.root];
+  structure.structs = std::move(kept);
+  return structure;
 }
 
 }  // namespace
@@ -49,7 +75,7 @@ Structure filter(const Structure& structure, const std::string& category) {
   if (structure.root < count && structure.structs[structure.root].category != category) {
     result.root = StructId(structure.root + count);
   }
-  return result;
+  return pruned(std::move(result));
 }
 
 }  // namespace plumbline

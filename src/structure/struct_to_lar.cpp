@@ -82,20 +82,28 @@ class ToLar {
       const Struct::Item& item = traversal.model();
       result_.dimension = traversal.map().dimension();
       if (const auto* model = std::get_if<Model>(&item)) {
-        add(lar_model(*model), traversal.map(), true);
+        add(lar_model(*model), traversal.map());
       } else {
-        add(std::get<LarModel>(item), traversal.map(), false);
+        add(std::get<LarModel>(item), traversal.map());
       }
     }
-    if (segments_.size() > 0) append_segments();
+    if (edges_.size() > 0) append_edges();
     return std::move(result_);
   }
 
  private:
-  void add(const LarModel& model, const Affine& map, bool are_segments) {
-    budget_.spend(1);
+  static bool are_edges(const LarModel& model) {
+    const Cells* cells = model.cells.size() == 1 ? &model.cells.front() : nullptr;
+    for (std::size_t c = 0; cells != nullptr && c < cells->size(); ++c) {
+      if ((*cells)[c].size() != 2) return false;
+    }
+    return cells != nullptr && cells->size() > 0;
+  }
+
+  void add(const LarModel& model, const Affine& map) {
+    budget_.spend(1 + model.vertex_count() / 2);
     vertices_.assign(model.vertex_count(), kUnknown);
-    if (are_segments) return append(model.cells.front(), model, map, segments_, segment_sets_);
+    if (are_edges(model)) return append(model.cells.front(), model, map, edges_, edge_sets_);
     if (result_.cells.size() < model.cells.size()) result_.cells.resize(model.cells.size());
     cell_sets_.resize(result_.cells.size());
     for (std::size_t k = 0; k < model.cells.size(); ++k) {
@@ -115,8 +123,10 @@ class ToLar {
   }
 
   void add_cell(Cells& to, CellSets& known) {
-    budget_.spend(cell_.size());
+    budget_.spend(1 + cell_.size());
     if (options_.merge_cells) {
+      constexpr std::size_t kWordsOfSet = 8;
+      budget_.spend(kWordsOfSet);
       std::vector<std::uint32_t> set = cell_;
       std::sort(set.begin(), set.end());
       if (!known.insert(std::move(set)).second) return;
@@ -136,12 +146,12 @@ class ToLar {
     return vertices_[v] = index_.find_or_add(image_);
   }
 
-  /// Segments go to the last array.
-  void append_segments() {
+  /// Edges go to the last array.
+  void append_edges() {
     if (result_.cells.empty()) result_.cells.resize(1);
     cell_sets_.resize(result_.cells.size());
-    for (std::size_t c = 0; c < segments_.size(); ++c) {
-      cell_.assign(segments_[c].begin(), segments_[c].end());
+    for (std::size_t c = 0; c < edges_.size(); ++c) {
+      cell_.assign(edges_[c].begin(), edges_[c].end());
       add_cell(result_.cells.back(), cell_sets_.back());
     }
   }
@@ -153,8 +163,8 @@ class ToLar {
   LarModel result_;
   VertexIndex index_;
   WordBudget budget_;
-  Cells segments_;
-  CellSets segment_sets_;
+  Cells edges_;
+  CellSets edge_sets_;
   std::vector<CellSets> cell_sets_;
   std::vector<std::uint32_t> vertices_;  ///< of the current model, in the result
   std::vector<std::uint32_t> cell_;

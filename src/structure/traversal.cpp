@@ -72,15 +72,7 @@ class Traversal::Walk {
   void compose_into(Frame& frame, const Affine& inner) {
     Affine map = frame.map == identity_ ? inner : compose(*frame.map, inner);
     live_words_ -= frame.words;
-    frame.words = 0;
-    for (const Number& entry : map.entries()) {
-      constexpr std::size_t kWordBits = GMP_NUMB_BITS;
-      if (words(entry) > kMaxMapBits / kWordBits) {
-        throw Error(ErrorCode::Limit, "nested maps make a number of more than " +
-                                          std::to_string(kMaxMapBits) + " bits");
-      }
-      frame.words += words(entry);
-    }
+    frame.words = checked_words(map);
     live_words_ += frame.words;
     if (live_words_ > kMaxEvaluatedWords) {
       throw Error(ErrorCode::Limit, "nested maps take too much memory");
@@ -96,6 +88,19 @@ class Traversal::Walk {
   std::size_t live_words_ = 0;  ///< of all maps on the way
   NamePath path_;
 };
+
+std::size_t checked_words(const Affine& map) {
+  constexpr std::size_t kWordBits = GMP_NUMB_BITS;
+  std::size_t sum = 0;
+  for (const Number& entry : map.entries()) {
+    if (words(entry) > kMaxMapBits / kWordBits) {
+      throw Error(ErrorCode::Limit, "nested maps make a number of more than " +
+                                        std::to_string(kMaxMapBits) + " bits");
+    }
+    sum += words(entry);
+  }
+  return sum;
+}
 
 Traversal::Traversal(const Structure& structure)
     : walk_(std::make_unique<Walk>(structure, check(structure))) {}

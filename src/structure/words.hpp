@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plumbline/error.hpp"
-#include "plumbline/number.hpp"
+#include "plumbline/structure.hpp"
 
 namespace plumbline {
 
@@ -11,6 +11,9 @@ inline std::size_t words(const Number& x) {
   const Rational& value = x.held_rational();
   return mpz_size(value.get_num_mpz_t()) + mpz_size(value.get_den_mpz_t());
 }
+
+/// Size of a map's numbers. Throws: Error Limit for one of more than kMaxMapBits.
+std::size_t checked_words(const Affine& map);
 
 /// What a result may still grow by.
 class WordBudget {

@@ -52,6 +52,8 @@ class StructWriter {
     json_.StartObject();
     json_.Key("root");
     json_.text(key(structure_.root));
+    json_.Key("y_up");
+    json_.Bool(structure_.y_up);
     json_.Key("defs");
     json_.StartObject();
     for (std::size_t s = 0; s < structure_.structs.size(); ++s) define(StructId(s));
@@ -128,7 +130,14 @@ class StructWriter {
     if (model.rows.empty()) return;
     json_.Key("rows");
     json_.StartArray();
-    for (const Model::Row& row : model.rows) json_.counts(std::array{row.line, row.column});
+    for (const Model::Row& row : model.rows) {
+      json_.StartArray();
+      for (const std::uint32_t number : {row.line, row.column, row.segment_count}) {
+        json_.count(number);
+      }
+      if (row.id != 0) json_.text(model.row_ids[row.id - 1]);
+      json_.EndArray();
+    }
     json_.EndArray();
   }
 
