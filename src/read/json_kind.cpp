@@ -84,9 +84,10 @@ JsonKind json_kind(ByteStream& bytes) {
   Teller teller(bytes);
   parse_json(bytes, teller);
   if (teller.kind()) return *teller.kind();
-  throw Error(ErrorCode::BadInput,
-              "JSON of no known format: neither GeoJSON (type) nor LAR (V, EV, FV, lines; root, defs)",
-              {bytes.file(), 1, 1});
+  throw Error(
+      ErrorCode::BadInput,
+      "JSON of no known format: neither GeoJSON (type) nor LAR (V, EV, FV, lines; root, defs)",
+      {bytes.file(), 1, 1});
 }
 
 }  // namespace plumbline
