@@ -9,6 +9,7 @@
 #include "number/leading_decimal.hpp"
 #include "plumbline/read.hpp"
 #include "read/attribute.hpp"
+#include "read/byte_stream.hpp"
 
 namespace plumbline {
 namespace {
@@ -20,16 +21,6 @@ constexpr const char* kElement = "row";
 std::string_view trimmed(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
   return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
-
-/// The row with everything that is not plain ASCII as '?'.
-std::string printable(std::string_view row) {
-  constexpr std::size_t kKeptText = 100;
-  std::string text(row.substr(0, kKeptText));
-  for (char& c : text) {
-    if (c < ' ' || c > '~') c = c == '\t' ? ' ' : '?';
-  }
-  return text;
 }
 
 using Row = std::array<Number, kNumbers>;
