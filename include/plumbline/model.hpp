@@ -91,8 +91,9 @@ Cells facet_cells(const LarModel& model, std::size_t k = 0);
 LarModel boundary_model(const LarModel& model);
 /// The edges of a model (V, FV, EV)'s boundary, or of a model (V, EV), as closed polylines of
 /// vertex indices, the first not repeated. Each is simple: where the walk meets itself a polyline
-/// is split off; begins with the least vertex that is left, walks to the lower neighbour first.
-/// Throws: Error BadInput where the boundary edges do not close (an odd number meet in a vertex).
+/// is split off; begins with the least vertex that is left, walks to the lower neighbour first. An
+/// edge that is there twice counts once. Throws: Error BadInput where the boundary edges do not
+/// close (an odd number meet in a vertex).
 Cells boundary_polylines(const LarModel& model);
 
 /// What a model of the plane draws: its edges as pairs of vertices, each once, and the cells that

@@ -1,7 +1,6 @@
 // LAR structures as JSON: {"root": name, "defs": {name: ...}}.
 
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "plumbline/read.hpp"

@@ -52,8 +52,6 @@ class Grid {
     vertices_ = vertices;
   }
 
-  std::uint64_t vertex_count() const { return vertices_; }
-
   std::vector<Number> coordinates() const {
     std::vector<Number> result;
     result.reserve(vertices_ * shape_.size());
