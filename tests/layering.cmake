@@ -25,7 +25,10 @@ layer(published   error number geometry complex lar) # a second header of src/la
 layer(triangulate error number geometry complex cgal)
 layer(round       error number geometry complex cgal)
 layer(crosscheck  error number geometry structure read complex boundary arrange lar published)
-layer(write       ${may_crosscheck} triangulate round)
+layer(ladder      error number geometry complex arrange)
+layer(diagnose    error number geometry complex arrange)
+layer(check       ${may_crosscheck} ladder)
+layer(write       ${may_check} diagnose triangulate round)
 layer(report      ${may_write})
 layer(plumbline   ${may_report})                         # the umbrella header
 layer(cli         ${may_plumbline})                      # of these, public headers only

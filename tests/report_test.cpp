@@ -23,8 +23,14 @@ struct Example {
   FloatComplex float_complex = nearest(arrange(segments("0 0 4 0  4 0 0 4  0 4 0 0")));
   Crosscheck crosscheck = plumbline::crosscheck(exact_complex, float_complex, 0.125);
 
-  CheckedDrawing checked() const {
-    return {input, exact_complex, float_complex, 0.0625, crosscheck};
+  Check checked() const {
+    Check result;
+    result.input = input;
+    result.exact_complex = exact_complex;
+    result.float_complex = float_complex;
+    result.radius = 0.0625;
+    result.crosscheck = crosscheck;
+    return result;
   }
 };
 
@@ -35,8 +41,14 @@ struct Agreement {
   FloatComplex float_complex = nearest(exact_complex);
   Crosscheck crosscheck = plumbline::crosscheck(exact_complex, float_complex, 0.125);
 
-  CheckedDrawing checked() const {
-    return {input, exact_complex, float_complex, 0.0625, crosscheck};
+  Check checked() const {
+    Check result;
+    result.input = input;
+    result.exact_complex = exact_complex;
+    result.float_complex = float_complex;
+    result.radius = 0.0625;
+    result.crosscheck = crosscheck;
+    return result;
   }
 };
 

@@ -18,22 +18,59 @@ enum class Disagreement {
   Extra,        ///< a float cell has no exact counterpart
   Merged,       ///< several exact cells are one float cell
   Split,        ///< one exact cell is several float cells
+  Moved,        ///< a vertex corresponds, but lies further away than the tolerance
   Reshaped,     ///< a face or hole corresponds, but its boundary has other cells
   WrongParent,  ///< a face or component corresponds, but lies in another face
 };
 std::string to_text(CellKind kind);
 std::string to_text(Disagreement disagreement);
 
+/// The steps from the file to the float result. Parse and transform belong to the conversion of
+/// the drawing, the others to the float pipeline (of both variants) or, where the result came from
+/// a file, to nobody: Foreign.
+enum class Stage {
+  Parse,            ///< a number of the file became the nearest double
+  Transform,        ///< a coordinate that maps or shapes gave became the nearest double
+  Quantise,         ///< rounded to fixed decimals, or written with few digits
+  Bucket,           ///< two segments that meet share no bucket
+  Intersect,        ///< a meeting missed, invented or misplaced
+  Order,            ///< cuts along a segment in the wrong order
+  Prune,            ///< vertices merged within the radius
+  Simplify,         ///< edges lost or kept over merged vertices
+  ComponentFilter,  ///< bridges, dangling edges, components left out
+  EdgeOrder,        ///< wrong order of edges around a vertex
+  FaceWalk,         ///< cycles that are no boundaries
+  OuterFace,        ///< a wrong cycle taken for the outer boundary
+  Nesting,          ///< components in wrong faces, holes left out
+  Foreign,          ///< somewhere in a result that came from a file
+};
+std::string to_text(Stage stage);
+
+/// Why a finding is there.
+struct Cause {
+  Stage stage = Stage::Foreign;
+  std::size_t round = 0;    ///< of cutting and merging, from 1; 0 outside of rounds
+  std::string rule;         ///< the name of the divergence, as in docs/divergences.md
+  std::string explanation;  ///< one sentence: what the stage did there
+  std::string advice;       ///< one sentence: what would have avoided it
+  /// With this one stage replaced by the exact one, the finding disappears.
+  bool confirmed = false;
+};
+
 /// One disagreement. Numbered from 1 by its position in Crosscheck::findings.
 struct Finding {
   CellKind kind = CellKind::Complex;
   Disagreement disagreement = Disagreement::Invalid;
+  std::optional<Invariant> invariant;    ///< the one that is broken; of Invalid only
   std::string message;                   ///< one sentence
   Point where;                           ///< exact place to look at
   std::vector<std::size_t> exact_cells;  ///< indices of cells of `kind` (Hole: cycles), exact side
   std::vector<std::size_t> float_cells;  ///< the same in the float complex
   std::optional<double> distance;        ///< how far things moved, in drawing units
-  std::vector<SegmentId> segments;       ///< the input segments involved, ascending
+  std::optional<Rational> squared_distance;  ///< its square, exact
+  std::optional<Rational> area;              ///< of the symmetric difference of the faces, exact
+  std::vector<SegmentId> segments;           ///< the input segments involved, ascending
+  std::optional<Cause> cause;                ///< filled in by `attribute`
 };
 
 /// Numbers of cells, for the report: faces with the unbounded one, holes of bounded faces only (a
@@ -71,6 +108,9 @@ struct Crosscheck {
 /// Throws: Error BadInput for a tolerance that is negative or not finite, or a coordinate that is
 /// not finite.
 Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
+                      double tolerance);
+/// The same of two exact complexes: the second one takes the place of the float complex.
+Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& other_complex,
                       double tolerance);
 
 }  // namespace plumbline

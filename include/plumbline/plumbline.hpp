@@ -4,10 +4,12 @@
 // float pipelines (lar_stages.hpp, published_stages.hpp) are apart.
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/check.hpp"
 #include "plumbline/complex.hpp"
 #include "plumbline/crosscheck.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/geometry.hpp"
+#include "plumbline/ladder.hpp"
 #include "plumbline/lar.hpp"
 #include "plumbline/number.hpp"
 #include "plumbline/published.hpp"

@@ -2,26 +2,16 @@
 
 #include <string>
 
-#include "plumbline/crosscheck.hpp"
-#include "plumbline/lar.hpp"
+#include "plumbline/check.hpp"
 
 namespace plumbline {
 
-/// Everything a report speaks of.
-struct CheckedDrawing {
-  const SegmentSet& input;
-  const ExactComplex& exact_complex;
-  const FloatComplex& float_complex;
-  double radius;
-  const Crosscheck& crosscheck;
-};
-
 /// The verdict for a terminal: counts side by side, then the findings, numbered; `limit` of them.
-std::string report_text(const CheckedDrawing& checked, std::size_t limit = 20);
+std::string report_text(const Check& check, std::size_t limit = 20);
 /// The same as JSON, all findings. Documented in docs/json.md.
-std::string report_json(const CheckedDrawing& checked);
+std::string report_json(const Check& check);
 /// Two panels of the same drawing, exact and float: faces filled by depth, edges, and every finding
 /// marked with its number in a second colour.
-std::string report_svg(const CheckedDrawing& checked);
+std::string report_svg(const Check& check);
 
 }  // namespace plumbline

@@ -10,21 +10,16 @@ namespace plumbline::cli {
 
 ExitCode run(const CheckArguments& arguments) {
   check_outputs(arguments.file, {{arguments.output, {".json"}}, {arguments.picture, {".svg"}}});
-  const Drawing drawing = load(arguments);
-  const lar::Result lar_result = [&] {
-    const Progress progress("running the float LAR pipeline");
-    return lar::arrange(drawing.input, {arguments.radius});
+  Drawing drawing = load(arguments);
+  const Check result = [&] {
+    const Progress progress("running the float LAR pipeline and comparing");
+    return check(std::move(drawing.input), std::move(drawing.complex),
+                 {arguments.radius, arguments.tolerance, arguments.threads});
   }();
-  const double radius = lar_result.trace.radius;
-  const Crosscheck verdict = [&] {
-    const Progress progress("comparing");
-    return crosscheck(drawing.complex, lar_result.complex, arguments.tolerance.value_or(radius));
-  }();
-  const CheckedDrawing checked{drawing.input, drawing.complex, lar_result.complex, radius, verdict};
-  if (arguments.output) write_file(*arguments.output, report_json(checked));
-  if (arguments.picture) write_file(*arguments.picture, report_svg(checked));
-  fmt::print("{}", report_text(checked));
-  return verdict.agree() ? kAgree : kDisagree;
+  if (arguments.output) write_file(*arguments.output, report_json(result));
+  if (arguments.picture) write_file(*arguments.picture, report_svg(result));
+  fmt::print("{}", report_text(result));
+  return result.agree() ? kAgree : kDisagree;
 }
 
 }  // namespace plumbline::cli

@@ -52,6 +52,8 @@ std::string to_text(Disagreement disagreement) {
       return "split";
     case Disagreement::Reshaped:
       return "reshaped";
+    case Disagreement::Moved:
+      return "moved";
     case Disagreement::WrongParent:
       break;
   }

@@ -19,12 +19,16 @@ std::size_t matched(const auto& matches) {
 
 Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
                       double tolerance) {
-  const ExactComplex float_as_exact = exact(float_complex);
-  const matching::Sides sides = matching::make_sides(exact_complex, float_as_exact, tolerance);
+  return crosscheck(exact_complex, exact(float_complex), tolerance);
+}
+
+Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& other_complex,
+                      double tolerance) {
+  const matching::Sides sides = matching::make_sides(exact_complex, other_complex, tolerance);
   Crosscheck result;
   result.tolerance = tolerance;
   result.exact_counts = counts(exact_complex, exact_complex.vertices.size());
-  result.float_counts = counts(float_complex, float_complex.vertices.size());
+  result.float_counts = counts(other_complex, other_complex.vertices.size());
   const auto append = [&](std::vector<Finding> findings) {
     std::move(findings.begin(), findings.end(), std::back_inserter(result.findings));
   };

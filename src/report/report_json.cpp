@@ -16,16 +16,19 @@ void write_counts(JsonWriter& json, const Counts& counts) {
   json.EndObject();
 }
 
-void write_summary(JsonWriter& json, const CheckedDrawing& checked) {
-  const Crosscheck& c = checked.crosscheck;
+void write_summary(JsonWriter& json, const Check& check) {
+  const Crosscheck& c = check.crosscheck;
   json.Key("verdict");
   json.text(c.agree() ? "agree" : "disagree");
   json.Key("float_valid");
   json.Bool(c.float_valid);
   json.Key("exact");
-  json.Bool(checked.input.ledger.empty());
+  json.Bool(check.input.ledger.empty());
   json.Key("radius");
-  json.number(checked.radius);
+  if (check.radius)
+    json.number(*check.radius);
+  else
+    json.Null();
   json.Key("tolerance");
   json.number(c.tolerance);
   json.Key("largest_displacement");
@@ -83,18 +86,18 @@ void write_finding(JsonWriter& json, const SegmentSet& input, const Finding& fin
 
 }  // namespace
 
-std::string report_json(const CheckedDrawing& checked) {
+std::string report_json(const Check& check) {
   JsonWriter json;
   json.StartObject();
   json.Key("format");
   json.text("plumbline check 1");
-  write_summary(json, checked);
+  write_summary(json, check);
   json.Key("findings");
   json.StartArray();
-  for (std::size_t i = 0; i < checked.crosscheck.findings.size(); ++i)
-    write_finding(json, checked.input, checked.crosscheck.findings[i], i + 1);
+  for (std::size_t i = 0; i < check.crosscheck.findings.size(); ++i)
+    write_finding(json, check.input, check.crosscheck.findings[i], i + 1);
   json.EndArray();
-  write_input(json, checked.input);
+  write_input(json, check.input);
   json.EndObject();
   return json.take();
 }

@@ -80,9 +80,9 @@ std::string text(double x, double y, double size, const std::string& rest, std::
 }
 
 std::string drawn_panel(const Box& box, const Layout& where, const FloatComplex& complex,
-                        const picture::Marks& marks, const CheckedDrawing& checked) {
-  const Crosscheck& crosscheck = checked.crosscheck;
-  picture::Frame frame = picture::fit(where.content, box, checked.input.y_up);
+                        const picture::Marks& marks, const Check& check) {
+  const Crosscheck& crosscheck = check.crosscheck;
+  picture::Frame frame = picture::fit(where.content, box, check.input.y_up);
   frame.steps = kStepsPerPixel;
   const double edges = static_cast<double>(complex.edge_count());
   const double pen =
@@ -106,10 +106,10 @@ std::string panel_title(const Box& box, const std::string& title, const Counts& 
          text(box.high.x, kHeader - 12, 16, " text-anchor=\"end\" xml:space=\"preserve\"", numbers);
 }
 
-std::string legend(const Layout& where, const CheckedDrawing& checked) {
+std::string legend(const Layout& where, const Check& check) {
   const double y = where.height - kLegend / 2;
   const std::size_t deepest =
-      std::max(checked.crosscheck.exact_counts.depth, checked.crosscheck.float_counts.depth);
+      std::max(check.crosscheck.exact_counts.depth, check.crosscheck.float_counts.depth);
   double x = kMargin;
   std::string svg = text(x, y + 5, 14, "", "depth");
   x += 52;
@@ -135,38 +135,40 @@ std::string legend(const Layout& where, const CheckedDrawing& checked) {
   return svg;
 }
 
-std::string header(const CheckedDrawing& checked, const Layout& where) {
-  const Crosscheck& c = checked.crosscheck;
+std::string header(const Check& check, const Layout& where) {
+  const Crosscheck& c = check.crosscheck;
   std::string words = verdict(c);
-  if (!checked.input.files.empty())
-    words = std::filesystem::path(checked.input.files.front()).filename().string() + ": " + words;
+  if (!check.input.files.empty())
+    words = std::filesystem::path(check.input.files.front()).filename().string() + ": " + words;
   if (!c.float_valid) words += "; the float result is not a valid complex";
   const std::string colour = c.agree() ? picture::kInk : picture::kMark;
   return text(kMargin, 40, 24, " font-weight=\"bold\" fill=\"" + colour + "\"", words) +
          text(kWidth - kMargin, 40, 16, " text-anchor=\"end\"",
               "tolerance " + shortest_text(c.tolerance)) +
          panel_title(where.left, "exact", c.exact_counts) +
-         panel_title(where.right, "float LAR, radius " + shortest_text(checked.radius),
-                     c.float_counts);
+         panel_title(
+             where.right,
+             check.radius ? "float LAR, radius " + shortest_text(*check.radius) : check.result,
+             c.float_counts);
 }
 
 }  // namespace
 
-std::string report_svg(const CheckedDrawing& checked) {
-  const FloatComplex exact_rounded = nearest(checked.exact_complex);
-  const Layout where = layout(exact_rounded, checked.float_complex);
-  const Crosscheck& c = checked.crosscheck;
+std::string report_svg(const Check& check) {
+  const FloatComplex exact_rounded = nearest(check.exact_complex);
+  const Layout where = layout(exact_rounded, check.float_complex);
+  const Crosscheck& c = check.crosscheck;
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
              "viewBox=\"0 0 {0} {1:.0f}\" font-family=\"DejaVu Sans, Arial, sans-serif\" "
              "fill=\"{2}\">\n<rect width=\"{0}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n",
              kWidth, where.height, picture::kInk) +
-         header(checked, where) +
+         header(check, where) +
          drawn_panel(where.left, where, exact_rounded,
-                     marks_of(c, checked.exact_complex, &Finding::exact_cells), checked) +
-         drawn_panel(where.right, where, checked.float_complex,
-                     marks_of(c, checked.float_complex, &Finding::float_cells), checked) +
-         legend(where, checked) + "</svg>\n";
+                     marks_of(c, check.exact_complex, &Finding::exact_cells), check) +
+         drawn_panel(where.right, where, check.float_complex,
+                     marks_of(c, check.float_complex, &Finding::float_cells), check) +
+         legend(where, check) + "</svg>\n";
 }
 
 }  // namespace plumbline

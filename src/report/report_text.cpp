@@ -95,19 +95,20 @@ void append_finding(std::string& text, const SegmentSet& input, const Finding& f
 
 }  // namespace
 
-std::string report_text(const CheckedDrawing& checked, std::size_t limit) {
-  const Crosscheck& c = checked.crosscheck;
+std::string report_text(const Check& check, std::size_t limit) {
+  const Crosscheck& c = check.crosscheck;
   std::string text = verdict(c) + '\n';
   append_counts(text, c);
-  fmt::format_to(Out(text), "radius {}, tolerance {}, largest displacement {}\n",
-                 number(checked.radius), number(c.tolerance), number(c.largest_displacement));
+  if (check.radius) fmt::format_to(Out(text), "radius {}, ", number(*check.radius));
+  fmt::format_to(Out(text), "tolerance {}, largest displacement {}\n", number(c.tolerance),
+                 number(c.largest_displacement));
   if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
-  append_input(text, checked.input);
-  append_ledger(text, checked.input.ledger);
+  append_input(text, check.input);
+  append_ledger(text, check.input.ledger);
   if (c.agree()) return text;
   text += '\n';
   const std::size_t shown = std::min(c.findings.size(), limit);
-  for (std::size_t i = 0; i < shown; ++i) append_finding(text, checked.input, c.findings[i], i + 1);
+  for (std::size_t i = 0; i < shown; ++i) append_finding(text, check.input, c.findings[i], i + 1);
   if (shown < c.findings.size())
     fmt::format_to(Out(text), "... and {} more (see -o report.json)\n", c.findings.size() - shown);
   return text;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "plumbline/crosscheck.hpp"
+#include "plumbline/ladder.hpp"
+#include "plumbline/structure.hpp"
+
+namespace plumbline {
+
+/// A drawing held against a float result: three answers side by side (as authored, over the
+/// doubles, within a tolerance) and where they disagree.
+struct Check {
+  SegmentSet input;
+  ExactComplex exact_complex;    ///< as authored: the file's decimals and maps, exactly
+  ExactComplex doubles_complex;  ///< over the doubles: every number rounded, exact from there on
+  FloatComplex float_complex;    ///< the float result
+  std::string result;            ///< its name: "repaired", "published", or the file it came from
+  std::optional<double> radius;  ///< of the float pipeline; none for a result from a file
+  Crosscheck crosscheck;         ///< of the float result with the exact complex
+  Crosscheck conversion;         ///< of the complex over the doubles with the exact complex
+  std::optional<ToleranceLadder> ladder;
+  std::optional<RightRadii> right_radii;
+
+  /// The verdict: the float result is right. (What the doubles alone would give is no part of it.)
+  bool agree() const { return crosscheck.agree(); }
+};
+
+/// How to check.
+struct CheckOptions {
+  std::optional<double> radius;     ///< of the float pipeline; by default its own
+  std::optional<double> tolerance;  ///< of the comparison; by default the radius
+  std::size_t threads = 0;          ///< 0: as many as there are cores; does not change the result
+};
+
+/// Runs the float LAR pipeline on the drawing and holds it against the exact complexes: that of the
+/// input, made by `arrange(input)`, and that over the doubles. Cost: that of the three, and of
+/// `crosscheck`. Throws: as `arrange`, `lar::arrange`, `crosscheck`.
+Check check(SegmentSet input, ExactComplex exact_complex, const CheckOptions& options = {});
+
+}  // namespace plumbline
