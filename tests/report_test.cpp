@@ -243,3 +243,33 @@ TEST_CASE("sixty findings are all numbered; of more, those whose labels overlap 
   CHECK(dense < 900);
   CHECK(numbered(square_of_places(9, 75)) == 81);
 }
+
+TEST_CASE("the layer of findings has a feature per finding, with its place and the exact one") {
+  Check check = Example().checked();
+  check.crosscheck.findings[0].cause =
+      Cause{Stage::Prune, 1, "chain collapse", "", "a radius below 0.01", true};
+  check.crosscheck.findings[2].kind = CellKind::Complex;
+  rapidjson::Document json;
+  json.Parse(report_geojson(check).c_str());
+  REQUIRE(!json.HasParseError());
+  CHECK(std::string(json["type"].GetString()) == "FeatureCollection");
+  REQUIRE(json["features"].Size() == 3);
+  const auto& feature = json["features"][0];
+  CHECK(std::string(feature["type"].GetString()) == "Feature");
+  CHECK(feature["id"].GetUint() == 1);
+  CHECK(std::string(feature["geometry"]["type"].GetString()) == "Point");
+  CHECK(feature["geometry"]["coordinates"].Size() == 2);
+  CHECK(feature["geometry"]["coordinates"][0].GetDouble() == 4);
+  const auto& properties = feature["properties"];
+  CHECK(std::string(properties["kind"].GetString()) == "vertex");
+  CHECK(std::string(properties["disagreement"].GetString()) == "merged");
+  CHECK(properties["invariant"].IsNull());
+  CHECK(std::string(properties["stage"].GetString()) == "prune");
+  CHECK(std::string(properties["rule"].GetString()) == "chain collapse");
+  CHECK(properties["distance"].GetDouble() == Approx(0.01));
+  CHECK(std::string(properties["exact_x"].GetString()) == "4");
+  CHECK(std::string(properties["sources"].GetString()) ==
+        "text:1:1 text; text:2:1 text; text:3:1 text");
+  CHECK(json["features"][1]["properties"]["stage"].IsNull());
+  CHECK(json["features"][2]["geometry"].IsNull());
+}

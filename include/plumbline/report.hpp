@@ -13,5 +13,9 @@ std::string report_json(const Check& check);
 /// Two panels of the same drawing, exact and float: faces filled by depth, edges, and every finding
 /// marked with its number in a second colour.
 std::string report_svg(const Check& check);
+/// The findings of the float result as a GeoJSON layer for QGIS and OGR: a Feature per finding, its
+/// place as a Point (null for kind Complex) in the drawing's own coordinates. Documented in
+/// docs/json.md.
+std::string report_geojson(const Check& check);
 
 }  // namespace plumbline

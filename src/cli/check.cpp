@@ -9,7 +9,9 @@
 namespace plumbline::cli {
 
 ExitCode run(const CheckArguments& arguments) {
-  check_outputs(arguments.file, {{arguments.output, {".json"}}, {arguments.picture, {".svg"}}});
+  check_outputs(arguments.file, {{arguments.output, {".json"}},
+                                 {arguments.picture, {".svg"}},
+                                 {arguments.findings, {".geojson", ".json"}}});
   Drawing drawing = load(arguments);
   const Check result = [&] {
     const Progress progress("running the float LAR pipeline and comparing");
@@ -18,6 +20,7 @@ ExitCode run(const CheckArguments& arguments) {
   }();
   if (arguments.output) write_file(*arguments.output, report_json(result));
   if (arguments.picture) write_file(*arguments.picture, report_svg(result));
+  if (arguments.findings) write_file(*arguments.findings, report_geojson(result));
   fmt::print("{}", report_text(result));
   return result.agree() ? kAgree : kDisagree;
 }

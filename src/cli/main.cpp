@@ -226,6 +226,10 @@ ExitCode parse_and_run(int argc, char** argv) {
   command
       ->add_option("--picture", check.picture, "Draw both results and the findings to an SVG file")
       ->type_name("FILE");
+  command
+      ->add_option("--findings", check.findings,
+                   "Write the findings as points to a GeoJSON file, for QGIS and OGR")
+      ->type_name("FILE");
 
   InfoArguments info;
   add_command(app, info, "info", "What a drawing holds: counts, extent, repetitions, feature size",

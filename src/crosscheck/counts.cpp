@@ -1,6 +1,7 @@
 // Numbers and names for the report.
 
 #include <algorithm>
+#include <array>
 
 #include "plumbline/crosscheck.hpp"
 
@@ -36,6 +37,14 @@ std::string to_text(CellKind kind) {
       break;
   }
   return "complex";
+}
+
+std::string to_text(Stage stage) {
+  static constexpr std::array kNames = {
+      "parse",     "transform",  "quantise", "bucket",           "intersect",
+      "order",     "prune",      "simplify", "component filter", "edge order",
+      "face walk", "outer face", "nesting",  "foreign"};
+  return kNames.at(static_cast<std::size_t>(stage));
 }
 
 std::string to_text(Disagreement disagreement) {
