@@ -16,8 +16,9 @@ layer(affine      error number geometry)                  # headers of src/struc
 layer(model       error number geometry affine lists)
 layer(structure   error number geometry affine model lists)
 layer(read        error number geometry structure)
-layer(complex     error number geometry lists model boundary)
+layer(complex     error number geometry lists model boundary polygons)
 layer(boundary    error number geometry complex)         # a second header of src/complex
+layer(polygons    error number geometry complex)         # a third one
 layer(arrange     error number geometry structure read complex cgal)
 layer(cgal        error number geometry complex arrange) # plumbline/cgal.hpp and CGAL itself
 layer(lar         error number geometry complex published) # never arrange, never CGAL
@@ -30,7 +31,7 @@ layer(diagnose    error number geometry complex arrange)
 layer(check       ${may_crosscheck} ladder)
 layer(write       ${may_check} diagnose triangulate round)
 layer(report      ${may_write})
-layer(plumbline   ${may_report})                         # the umbrella header
+layer(plumbline   ${may_report} polygons)                         # the umbrella header
 layer(cli         ${may_plumbline})                      # of these, public headers only
 
 set(found 0)

@@ -65,7 +65,8 @@ struct Incidences {
   VertexId target(HalfedgeId h) const { return origin(twin(h)); }
   /// Whether the same face lies on both sides of the edge.
   bool is_antenna(EdgeId e) const {
-    return halfedge_face[halfedge(e, false)] == halfedge_face[halfedge(e, true)];
+    const FaceId f = halfedge_face[halfedge(e, false)];
+    return f.valid() && f == halfedge_face[halfedge(e, true)];
   }
   /// The face that directly contains the component of bounded face f.
   FaceId parent(FaceId f) const;

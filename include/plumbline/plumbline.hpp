@@ -12,6 +12,7 @@
 #include "plumbline/ladder.hpp"
 #include "plumbline/lar.hpp"
 #include "plumbline/number.hpp"
+#include "plumbline/polygons.hpp"
 #include "plumbline/published.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/report.hpp"

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "complex/direction.hpp"
 #include "complex/validate.hpp"
 
 namespace plumbline {
@@ -27,20 +28,6 @@ void check_orientation(const ExactComplex& c, const std::vector<Rational>& areas
     }
   }
 }
-
-/// Exact circular order of directions, counter-clockwise from the positive x axis.
-class Direction {
- public:
-  Direction(const Point& from, const Point& to) : dx_(to.x - from.x), dy_(to.y - from.y) {}
-  friend bool operator<(const Direction& a, const Direction& b) {
-    if (a.lower() != b.lower()) return !a.lower();
-    return a.dx_ * b.dy_ > a.dy_ * b.dx_;
-  }
-
- private:
-  bool lower() const { return sgn(dy_) < 0 || (sgn(dy_) == 0 && sgn(dx_) < 0); }
-  Rational dx_, dy_;
-};
 
 /// The halfedge after h in its cycle must be the first one clockwise from h's twin around h's
 /// target.

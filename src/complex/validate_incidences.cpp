@@ -47,8 +47,23 @@ void check_halfedges(const ExactComplex& c, Violations& violations) {
   for (std::size_t i = 0; i < c.cycles.size(); ++i) {
     for (const HalfedgeId h : c.cycles[i]) times[h] += c.cycle_face[i].valid() ? 1 : 0;
   }
+  std::vector<bool> is_reported(times.size());
+  for (std::size_t i = 0; i < c.cycles.size(); ++i) {
+    if (c.cycle_face[i].valid()) continue;
+    std::vector<EdgeId> edges;
+    for (const HalfedgeId h : c.cycles[i]) {
+      edges.push_back(edge_of(h));
+      is_reported[h] = times[h] == 0;
+    }
+    violations.add({Invariant::HalfedgeInCycle,
+                    "a cycle belongs to no face",
+                    c.vertices[c.origin(c.cycles[i].front())],
+                    {},
+                    std::move(edges),
+                    {}});
+  }
   for (std::size_t h = 0; h < times.size(); ++h) {
-    if (times[h] == 1) continue;
+    if (times[h] == 1 || is_reported[h]) continue;
     violations.add({Invariant::HalfedgeInCycle,
                     "a halfedge is in " + std::to_string(times[h]) + " cycles of faces, not in one",
                     c.vertices[c.origin(HalfedgeId(h))],

@@ -2,71 +2,12 @@
 // are concerned: none of its own edges passes below that vertex. A scan line goes over the
 // components from left to right and keeps the edges that it may still meet.
 
-#include <algorithm>
-#include <limits>
-
+#include "complex/active_edges.hpp"
 #include "complex/scan_line.hpp"
 #include "complex/validate.hpp"
 
 namespace plumbline {
 namespace {
-
-/// Least vertex of each component. Components are numbered by it, so they come in scan order.
-std::vector<VertexId> least_vertices(const ExactComplex& c) {
-  std::vector<VertexId> least(c.component_count());
-  for (std::size_t v = 0; v < c.vertices.size(); ++v) {
-    VertexId& first = least[c.vertex_component[v]];
-    if (!first.valid()) first = VertexId(v);
-  }
-  return least;
-}
-
-/// The edges that a scan line may meet, with the heights that nearest doubles of their ends bound.
-/// Rounding is monotone: what is lower in doubles is not higher.
-class ActiveEdges {
- public:
-  explicit ActiveEdges(const ExactComplex& complex) : c_(complex) {
-    for (const Point& p : c_.vertices) y_.push_back(nearest_double(p.y));
-  }
-
-  /// Takes in the edges that begin at or left of x, drops those that end there. Edges are sorted by
-  /// tail.
-  void advance(const Rational& x) {
-    for (; next_ < c_.edge_count() && c_.vertices[c_.edges[next_].tail].x <= x; ++next_) {
-      const auto [tail, head] = c_.edges[next_];
-      const auto [low, high] = std::minmax(y_[tail], y_[head]);
-      active_.push_back({EdgeId(next_), low, high});
-    }
-    std::erase_if(active_,
-                  [&](const Item& i) { return c_.vertices[c_.edges[i.edge].head].x <= x; });
-  }
-
-  /// The highest edge below vertex v just right of it.
-  std::optional<EdgeId> below(VertexId v) const {
-    const Point& p = c_.vertices[v];
-    const ScanLine line(c_, p.x);
-    double floor = -std::numeric_limits<double>::infinity();  // some edge below v is nowhere lower
-    for (const Item& i : active_) {
-      if (i.high < y_[v]) floor = std::max(floor, i.low);
-    }
-    std::optional<EdgeId> highest;
-    for (const Item& i : active_) {
-      if (i.low > y_[v] || i.high < floor || !line.passes_below(i.edge, p)) continue;
-      if (!highest || line.above(i.edge, *highest)) highest = i.edge;
-    }
-    return highest;
-  }
-
- private:
-  struct Item {
-    EdgeId edge;
-    double low, high;
-  };
-  const ExactComplex& c_;
-  std::vector<double> y_;  ///< per vertex
-  std::vector<Item> active_;
-  std::size_t next_ = 0;
-};
 
 /// The face that each component lies in, computed from the graph alone.
 std::vector<FaceId> surrounding_faces(const ExactComplex& c) {

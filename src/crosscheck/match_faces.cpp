@@ -205,6 +205,7 @@ std::string FaceMatcher::message(const Group& group) const {
 std::string FaceMatcher::note(Side side, FaceId f) const {
   if (!inside_[side][f]) return " (no interior point could be found in the invalid complex)";
   const FaceId g = lies_in_[side][f];
+  if (!g.valid()) return fmt::format("; its place is in no {} face", name(other(side)));
   return g == kUnbounded ? fmt::format("; its place is in the unbounded {} face", name(other(side)))
                          : fmt::format("; its place is in {} face {}", name(other(side)),
                                        static_cast<std::size_t>(g));
