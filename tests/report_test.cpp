@@ -30,6 +30,7 @@ struct Example {
     result.float_complex = float_complex;
     result.radius = 0.0625;
     result.crosscheck = crosscheck;
+    result.conversion = plumbline::crosscheck(exact_complex, exact_complex, 0);
     return result;
   }
 };
@@ -48,6 +49,7 @@ struct Agreement {
     result.float_complex = float_complex;
     result.radius = 0.0625;
     result.crosscheck = crosscheck;
+    result.conversion = plumbline::crosscheck(exact_complex, exact_complex, 0);
     return result;
   }
 };
@@ -85,15 +87,15 @@ TEST_CASE("the text begins with the verdict and tells counts, exactness and each
   CHECK(report_text(Example().checked()) ==
         R"(disagree: 3 findings
 
-                       exact     float
-vertices                   4         3
-edges                      4         3
-faces                      2         2
-holes                      0         0
-isolated vertices          0         0
-components                 1         1
-antennas                   0         0
-depth                      1         1
+                    as authored  over doubles   float LAR
+vertices                      4             4           3
+edges                         4             4           3
+faces                         2             2           2
+holes                         0             0           0
+isolated vertices             0             0           0
+components                    1             1           1
+antennas                      0             0           0
+depth                         1             1           1
 (faces with the unbounded one, holes of bounded faces)
 matched one to one: 3 vertices, 3 edges, 1 faces
 radius 0.0625, tolerance 0.125, largest displacement 0

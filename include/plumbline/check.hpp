@@ -31,7 +31,10 @@ struct Check {
 struct CheckOptions {
   std::optional<double> radius;     ///< of the float pipeline; by default its own
   std::optional<double> tolerance;  ///< of the comparison; by default the radius
-  std::size_t threads = 0;          ///< 0: as many as there are cores; does not change the result
+  /// The drawing with every number of the file rounded to the nearest double, its maps applied
+  /// exactly (`evaluate(rounded(structure))`): tells what parsing did from what transforming did.
+  std::optional<SegmentSet> parsed;
+  std::size_t threads = 0;  ///< 0: as many as there are cores; does not change the result
 };
 
 /// Runs the float LAR pipeline on the drawing and holds it against the exact complexes: that of the

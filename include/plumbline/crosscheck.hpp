@@ -53,8 +53,12 @@ struct Cause {
   std::string rule;         ///< the name of the divergence, as in docs/divergences.md
   std::string explanation;  ///< one sentence: what the stage did there
   std::string advice;       ///< one sentence: what would have avoided it
-  /// With this one stage replaced by the exact one, the finding disappears.
+  /// The stage alone makes the finding: with its output continued exactly it is there, with its own
+  /// input continued exactly it is not.
   bool confirmed = false;
+  /// With the stage replaced by its exact counterpart and the later ones run as they are, these
+  /// make the finding again. None: not tried, as for Parse and Transform.
+  std::optional<bool> remade;
 };
 
 /// One disagreement. Numbered from 1 by its position in Crosscheck::findings.
@@ -70,7 +74,8 @@ struct Finding {
   std::optional<Rational> squared_distance;  ///< its square, exact
   std::optional<Rational> area;              ///< of the symmetric difference of the faces, exact
   std::vector<SegmentId> segments;           ///< the input segments involved, ascending
-  std::optional<Cause> cause;                ///< filled in by `attribute`
+  std::vector<std::size_t> because;          ///< numbers of earlier findings that it follows from
+  std::optional<Cause> cause;                ///< filled in by `check`
 };
 
 /// Numbers of cells, for the report: faces with the unbounded one, holes of bounded faces only (a

@@ -93,6 +93,9 @@ Pruning prune_vertices(std::span<const PointD> vertices, double radius);
 /// last. Cost: O(n log n). Section 2.9.
 Graph simplify(const Graph& graph, const Pruning& pruning);
 
+/// One round: the stages from containment boxes to `simplify`.
+Round resolve(const Graph& graph, double radius);
+
 /// The maximal 2-connected subgraphs with two or more edges, and the edges in none. Both ascending.
 struct Biconnected {
   Lists<EdgeId> components;
@@ -146,5 +149,9 @@ std::vector<CycleId> innermost_cycles(const Graph& graph, const Lists<HalfedgeId
 /// 2.6 (cellsFromCycles).
 FloatComplex cells(const Graph& graph, const Lists<HalfedgeId>& cycles,
                    std::span<const Exterior> exteriors, std::span<const double> areas);
+
+/// The complex of a graph that no more rounds change: the stages from `edge_slope_ordering` to
+/// `cells`. Not yet in canonical order.
+FloatComplex faces(const Graph& graph);
 
 }  // namespace plumbline::lar

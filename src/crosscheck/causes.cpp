@@ -11,11 +11,11 @@ namespace plumbline::matching {
 // More numbers than this do not help a reader.
 constexpr std::size_t kMaxCauses = 4;
 
-std::string because_of(Numbers numbers) {
+void add_causes(Finding& finding, Numbers numbers) {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   if (!numbers.empty() && numbers.front() == 0) numbers.erase(numbers.begin());
-  if (numbers.empty()) return {};
+  if (numbers.empty()) return;
   std::string text = numbers.size() == 1 ? ", because of finding " : ", because of findings ";
   const std::size_t shown = std::min(numbers.size(), kMaxCauses);
   for (std::size_t i = 0; i < shown; ++i) {
@@ -23,7 +23,8 @@ std::string because_of(Numbers numbers) {
     text += fmt::format("{}{}", i == 0 ? "" : is_last ? " and " : ", ", numbers[i]);
   }
   if (shown < numbers.size()) text += fmt::format(" and {} more", numbers.size() - shown);
-  return text;
+  finding.message += text;
+  finding.because = std::move(numbers);
 }
 
 }  // namespace plumbline::matching

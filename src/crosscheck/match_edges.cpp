@@ -63,7 +63,7 @@ class EdgeMatcher {
   Finding finding(Side side, Disagreement disagreement, const std::vector<EdgeId>& here,
                   const std::vector<EdgeId>& there, std::string message) const;
   void set_image(const Left& left, const Walk& chain);
-  std::string why_lacking(Side side, EdgeId e) const;
+  Numbers why_lacking(Side side, EdgeId e) const;
 
   const Sides& sides_;
   const VertexMatch& vertices_;
@@ -224,20 +224,23 @@ void EdgeMatcher::report_chains(Side side, const std::vector<bool>& is_usable,
   }
 }
 
-std::string EdgeMatcher::why_lacking(Side side, EdgeId e) const {
+Numbers EdgeMatcher::why_lacking(Side side, EdgeId e) const {
   const Edge& edge = sides_[side].edges[e];
   Numbers numbers;
   for (const VertexId v : {edge.tail, edge.head})
     if (!vertices_.image[side][v].valid()) numbers.push_back(vertices_.number[side][v]);
-  return because_of(std::move(numbers));
+  return numbers;
 }
 
 void EdgeMatcher::report_lacking(Side side) {
   const char* message = side == Exact ? "an exact edge is missing from the float result"
                                       : "a float edge has no exact counterpart";
   for (std::size_t i = 0; i < sides_[side].edge_count(); ++i)
-    if (const EdgeId e(i); !is_accounted(side, e))
-      add(finding(side, lacking(side), {e}, {}, message + why_lacking(side, e)));
+    if (const EdgeId e(i); !is_accounted(side, e)) {
+      Finding f = finding(side, lacking(side), {e}, {}, message);
+      add_causes(f, why_lacking(side, e));
+      add(std::move(f));
+    }
 }
 
 }  // namespace

@@ -229,7 +229,7 @@ void FaceMatcher::report(const Group& group) {
   const FaceId last(group[side].back());
   finding.where = place_in(side, last);
   if (m == 0 || n == 0) finding.message += note(side, last);
-  finding.message += because_of(std::move(why.numbers));
+  add_causes(finding, std::move(why.numbers));
   result_.findings.push_back(std::move(finding));
 }
 

@@ -98,7 +98,8 @@ void NestingCheck::add(const Group& group, Disagreement disagreement, std::strin
   Finding finding;
   finding.kind = CellKind::Hole;
   finding.disagreement = disagreement;
-  finding.message = std::move(message) + because_of(causes(group));
+  finding.message = std::move(message);
+  add_causes(finding, causes(group));
   for (const Side side : kBothSides) {
     cells(finding, side) = group[side];
     std::vector<EdgeId> edges;

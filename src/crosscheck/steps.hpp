@@ -70,7 +70,8 @@ std::vector<Finding> nesting(const Sides& sides, const VertexMatch& vertices,
                              const EdgeMatch& edges, const CycleMatch& cycles,
                              const FaceMatch& faces);
 
-/// ", because of findings 3 and 7"; empty for no numbers (zeros and repetitions are left out).
-std::string because_of(Numbers numbers);
+/// Makes the earlier findings of these numbers (zeros and repetitions left out) the reason of a
+/// finding: its message ends in ", because of findings 3 and 7".
+void add_causes(Finding& finding, Numbers numbers);
 
 }  // namespace plumbline::matching

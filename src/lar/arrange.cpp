@@ -4,7 +4,6 @@
 #include "plumbline/lar_stages.hpp"
 
 namespace plumbline::lar {
-namespace {
 
 Round resolve(const Graph& graph, double radius) {
   Round round;
@@ -19,10 +18,20 @@ Round resolve(const Graph& graph, double radius) {
   return round;
 }
 
+namespace {
+
 FloatComplex scaled(FloatComplex complex, int exponent) {
   if (exponent == 0) return complex;
   for (PointD& p : complex.vertices) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
   return complex;
+}
+
+FloatComplex walk_faces(const Graph& graph, Trace& trace) {
+  trace.edge_order = edge_slope_ordering(graph);
+  trace.cycles = face_cycles(graph, trace.edge_order);
+  trace.cycle_areas = cycle_areas(graph, trace.cycles);
+  const std::vector<Exterior> exteriors = exterior_cycles(graph, trace.edge_order, trace.cycles);
+  return cells(graph, trace.cycles, exteriors, trace.cycle_areas);
 }
 
 Result arrange_here(const SegmentSet& input, const Options& options) {
@@ -44,16 +53,16 @@ Result arrange_here(const SegmentSet& input, const Options& options) {
   Biconnected biconnected = biconnected_components(graph);
   trace.biconnected = std::move(biconnected.components);
   trace.bridges = std::move(biconnected.bridges);
-  trace.edge_order = edge_slope_ordering(graph);
-  trace.cycles = face_cycles(graph, trace.edge_order);
-  trace.cycle_areas = cycle_areas(graph, trace.cycles);
-  const std::vector<Exterior> exteriors = exterior_cycles(graph, trace.edge_order, trace.cycles);
-  result.complex =
-      canonical(scaled(cells(graph, trace.cycles, exteriors, trace.cycle_areas), trace.exponent));
+  result.complex = canonical(scaled(walk_faces(graph, trace), trace.exponent));
   return result;
 }
 
 }  // namespace
+
+FloatComplex faces(const Graph& graph) {
+  Trace trace;
+  return walk_faces(graph, trace);
+}
 
 Result arrange(const SegmentSet& input, const Options& options) {
   Result result;

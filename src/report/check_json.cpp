@@ -91,6 +91,11 @@ void write_cause(JsonWriter& json, const std::optional<Cause>& cause) {
   json.text(cause->advice);
   json.Key("confirmed");
   json.Bool(cause->confirmed);
+  json.Key("remade");
+  if (cause->remade)
+    json.Bool(*cause->remade);
+  else
+    json.Null();
   json.EndObject();
 }
 
@@ -116,6 +121,8 @@ void write_finding(JsonWriter& json, const SegmentSet& input, const Finding& fin
   } else {
     json.place(finding.where);
   }
+  json.Key("because");
+  json.counts(finding.because);
   json.Key("exact_cells");
   json.counts(finding.exact_cells);
   json.Key("float_cells");

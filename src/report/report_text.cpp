@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <tuple>
 
 #include "plumbline/report.hpp"
 #include "report/verdict.hpp"
@@ -20,17 +22,63 @@ using Out = std::back_insert_iterator<std::string>;
 /// Six digits: a terminal is for people, JSON has all of them.
 std::string number(double value) { return fmt::format("{:.6g}", value); }
 
-void append_counts(std::string& text, const Crosscheck& c) {
-  fmt::format_to(Out(text), "\n{:<18}{:>10}{:>10}\n", "", "exact", "float");
+void append_counts(std::string& text, const Check& check) {
+  const Crosscheck& c = check.crosscheck;
+  const std::string answer = check.radius ? "float LAR" : "the result";
+  fmt::format_to(Out(text), "\n{:<18}{:>13}{:>14}{:>12}\n", "", "as authored", "over doubles",
+                 answer);
   for (const CountRow& row : count_rows()) {
     std::string name = row.name;
     std::replace(name.begin(), name.end(), '_', ' ');
-    fmt::format_to(Out(text), "{:<18}{:>10}{:>10}\n", name, c.exact_counts.*row.member,
-                   c.float_counts.*row.member);
+    fmt::format_to(Out(text), "{:<18}{:>13}{:>14}{:>12}\n", name, c.exact_counts.*row.member,
+                   check.conversion.float_counts.*row.member, c.float_counts.*row.member);
   }
   fmt::format_to(Out(text), "(faces with the unbounded one, holes of bounded faces)\n");
   fmt::format_to(Out(text), "matched one to one: {} vertices, {} edges, {} faces\n",
                  c.matched_vertices, c.matched_edges, c.matched_faces);
+}
+
+/// "2 edge merged, 1 face missing", the most frequent first.
+std::string kinds(const std::vector<Finding>& findings) {
+  std::map<std::string, std::size_t> counts;
+  for (const Finding& finding : findings)
+    ++counts[to_text(finding.kind) + ' ' + to_text(finding.disagreement)];
+  std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (const auto& [kind, count] : sorted)
+    fmt::format_to(Out(text), "{}{} {}", text.empty() ? "" : ", ", count, kind);
+  return text;
+}
+
+/// What rounding alone would change.
+void append_conversion(std::string& text, const Crosscheck& conversion) {
+  if (conversion.agree()) return;
+  fmt::format_to(Out(text), "rounding the input to doubles alone changes: {}\n",
+                 kinds(conversion.findings));
+}
+
+/// One row per stage and rule, the most frequent first.
+void append_causes(std::string& text, const std::vector<Finding>& findings) {
+  std::map<std::tuple<Stage, std::size_t, std::string>, std::vector<Finding>> by_cause;
+  for (const Finding& finding : findings)
+    if (finding.cause)
+      by_cause[{finding.cause->stage, finding.cause->round, finding.cause->rule}].push_back(
+          finding);
+  if (by_cause.empty()) return;
+  text += "\nwhere they come from\n";
+  for (const auto& [cause, of_cause] : by_cause) {
+    const auto& [stage, round, rule] = cause;
+    const auto confirmed = std::count_if(of_cause.begin(), of_cause.end(),
+                                         [](const Finding& f) { return f.cause->confirmed; });
+    fmt::format_to(Out(text), "  {}{}, {}: {} ({}{})\n", to_text(stage),
+                   round == 0 ? "" : fmt::format(" in round {}", round), rule, of_cause.size(),
+                   kinds(of_cause),
+                   static_cast<std::size_t>(confirmed) == of_cause.size()
+                       ? ""
+                       : fmt::format("; {} of them confirmed", confirmed));
+  }
 }
 
 void append_input(std::string& text, const SegmentSet& input) {
@@ -90,6 +138,11 @@ void append_finding(std::string& text, const SegmentSet& input, const Finding& f
     fmt::format_to(Out(text), " at ({}, {})", number(place.x), number(place.y));
   }
   fmt::format_to(Out(text), ": {}\n", line_text(finding.message));
+  if (const auto& cause = finding.cause) {
+    fmt::format_to(Out(text), "      {}: {}", to_text(cause->stage), line_text(cause->explanation));
+    if (!cause->advice.empty()) fmt::format_to(Out(text), "; {}", line_text(cause->advice));
+    text += '\n';
+  }
   append_inputs(text, input, finding);
 }
 
@@ -98,14 +151,16 @@ void append_finding(std::string& text, const SegmentSet& input, const Finding& f
 std::string report_text(const Check& check, std::size_t limit) {
   const Crosscheck& c = check.crosscheck;
   std::string text = verdict(c) + '\n';
-  append_counts(text, c);
+  append_counts(text, check);
   if (check.radius) fmt::format_to(Out(text), "radius {}, ", number(*check.radius));
   fmt::format_to(Out(text), "tolerance {}, largest displacement {}\n", number(c.tolerance),
                  number(c.largest_displacement));
   if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
   append_input(text, check.input);
   append_ledger(text, check.input.ledger);
+  append_conversion(text, check.conversion);
   if (c.agree()) return text;
+  append_causes(text, c.findings);
   text += '\n';
   const std::size_t shown = std::min(c.findings.size(), limit);
   for (std::size_t i = 0; i < shown; ++i) append_finding(text, check.input, c.findings[i], i + 1);

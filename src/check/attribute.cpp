@@ -1,0 +1,242 @@
+// From findings to the stages that made them.
+
+#include "check/attribute.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "check/wrong_cells.hpp"
+
+namespace plumbline::checking {
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// Broken invariants that say that edges meet where they should not; of edges or vertices alone.
+bool is_about_line_work(const Finding& finding) {
+  if (!finding.invariant) return false;
+  switch (*finding.invariant) {
+    case Invariant::Crossing:
+    case Invariant::VertexOnEdge:
+    case Invariant::DuplicateVertex:
+    case Invariant::DuplicateEdge:
+    case Invariant::Index:
+      return true;
+    default:
+      return false;
+  }
+}
+
+using Ends = std::pair<PointD, PointD>;
+
+Ends ends(const PointD& a, const PointD& b) { return std::minmax(a, b); }
+
+Cause parsing() {
+  Cause cause;
+  cause.stage = Stage::Parse;
+  cause.rule = "decimal-to-double";
+  cause.explanation = "numbers of the file became the nearest doubles";
+  cause.advice = "read the numbers as decimals, or draw on a grid of binary fractions";
+  cause.confirmed = true;
+  return cause;
+}
+
+Cause transforming() {
+  Cause cause;
+  cause.stage = Stage::Transform;
+  cause.rule = "transformed-to-double";
+  cause.explanation = "coordinates that maps gave became the nearest doubles";
+  cause.advice = "apply the maps exactly, or after the arrangement";
+  cause.confirmed = true;
+  return cause;
+}
+
+class Attribution {
+ public:
+  Attribution(Crosscheck& result, const ExactComplex& exact_complex,
+              const FloatComplex& float_complex, const TracedRun& run, const Crosscheck& conversion,
+              std::size_t threads)
+      : result_(result),
+        exact_(exact_complex),
+        float_(float_complex),
+        run_(run),
+        conversion_(conversion),
+        threads_(threads),
+        outputs_(run.outputs()) {}
+
+  void run() {
+    blame_invalid();
+    for (std::size_t i = 0; i < result_.findings.size(); ++i)
+      if (!result_.findings[i].cause) open_.push_back(i);
+    // A valid float complex is the exact one of the last line work.
+    std::size_t k = outputs_.size() - 1;
+    if (!result_.float_valid) close_absent(k);
+    for (; k > 0 && !open_.empty(); --k)
+      if (outputs_[k].changed) close_absent(k - 1);
+    take_from_conversion();
+    explain();
+    run_without_owners();
+  }
+
+ private:
+  /// The open findings that are not there when the output of stage k is continued exactly belong to
+  /// the stage after it.
+  void close_absent(std::size_t k);
+  void blame(Finding& finding, std::size_t owner);
+  void blame_invalid();
+  std::size_t owner_of_invalid(const Finding& finding) const;
+  /// The last output that changed something, up to k.
+  std::size_t changed(std::size_t k) const;
+  void take_from_conversion();
+  void explain();
+  void run_without_owners();
+
+  Crosscheck& result_;
+  const ExactComplex& exact_;
+  const FloatComplex& float_;
+  const TracedRun& run_;
+  const Crosscheck& conversion_;
+  const std::size_t threads_;
+  const std::vector<StageOutput> outputs_;
+  std::vector<std::size_t> open_;  ///< findings there from the stage looked at on
+};
+
+void Attribution::blame(Finding& finding, std::size_t owner) {
+  Cause cause;
+  if (owner < outputs_.size()) {
+    cause.stage = outputs_[owner].stage;
+    cause.round = outputs_[owner].round;
+  } else {
+    cause.stage = run_.late_stage(finding);
+  }
+  finding.cause = cause;
+}
+
+std::size_t Attribution::changed(std::size_t k) const {
+  while (!outputs_[k].changed) --k;
+  return k;
+}
+
+void Attribution::close_absent(std::size_t k) {
+  std::optional<Crosscheck> continued;
+  if (const std::size_t with_work = changed(k); with_work > 0)
+    continued = crosscheck(exact_, arrange(outputs_[with_work].work, threads_), result_.tolerance);
+  const WrongCells wrong(continued ? *continued : conversion_, exact_);
+  std::erase_if(open_, [&](std::size_t i) {
+    if (wrong.has(result_.findings[i])) return false;
+    blame(result_.findings[i], k + 1);
+    result_.findings[i].cause->confirmed = true;
+    return true;
+  });
+}
+
+/// Edges that meet where they should not were left by the last cutting if it had them in this
+/// place, else made by what came after it.
+std::size_t Attribution::owner_of_invalid(const Finding& finding) const {
+  std::set<Ends> bad;
+  if (finding.kind == CellKind::Edge)
+    for (const std::size_t e : finding.float_cells)
+      bad.insert(
+          ends(float_.vertices[float_.edges[e].tail], float_.vertices[float_.edges[e].head]));
+  std::size_t owner = outputs_.size() - 1;
+  for (std::size_t k = outputs_.size() - 1; k > 0; --k) {
+    if (outputs_[k].stage != Stage::Intersect) continue;
+    std::set<Ends> here;
+    for (const lar::SegmentD& s : outputs_[changed(k)].work.segments)
+      if (const Ends e = ends(s.a, s.b); bad.contains(e)) here.insert(e);
+    if (here.size() < bad.size() || bad.empty()) break;
+    owner = k;
+  }
+  return owner;
+}
+
+void Attribution::blame_invalid() {
+  const Cause* first = nullptr;
+  for (Finding& finding : result_.findings)
+    if (is_about_line_work(finding)) {
+      blame(finding, owner_of_invalid(finding));
+      if (!first) first = &*finding.cause;
+    }
+  // Where edges cross, cycles and nesting mean nothing; else they are wrong by themselves.
+  for (Finding& finding : result_.findings) {
+    if (finding.disagreement != Disagreement::Invalid || finding.cause) continue;
+    if (first)
+      finding.cause = *first;
+    else
+      blame(finding, outputs_.size());
+  }
+}
+
+/// What is left was there in the rounded input already.
+void Attribution::take_from_conversion() {
+  const WrongCells wrong(conversion_, exact_);
+  for (const std::size_t i : open_) {
+    Finding& finding = result_.findings[i];
+    const Finding* same = wrong.same(finding);
+    if (same && same->cause)
+      finding.cause = same->cause;
+    else
+      blame(finding, 0);
+  }
+  open_.clear();
+}
+
+/// What follows from another finding of the same stage has its rule.
+void Attribution::explain() {
+  for (Finding& finding : result_.findings) {
+    Cause& cause = *finding.cause;
+    if (!cause.rule.empty()) continue;
+    for (const std::size_t number : finding.because) {
+      const Cause& earlier = *result_.findings[number - 1].cause;
+      if (earlier.stage != cause.stage || earlier.round != cause.round) continue;
+      cause = earlier;
+      break;
+    }
+    if (cause.rule.empty()) run_.explain(finding, cause);
+  }
+}
+
+/// Replaces each stage that owns findings by the exact one, once, and lets the later ones run.
+void Attribution::run_without_owners() {
+  std::map<std::pair<Stage, std::size_t>, std::vector<Finding*>> by_stage;
+  for (Finding& finding : result_.findings)
+    by_stage[{finding.cause->stage, finding.cause->round}].push_back(&finding);
+  for (const auto& [place, findings] : by_stage) {
+    if (place.first == Stage::Parse || place.first == Stage::Transform) continue;
+    const std::optional<FloatComplex> replaced = run_.with_exact(place.first, place.second);
+    if (!replaced) continue;
+    const Crosscheck now = crosscheck(exact_, *replaced, result_.tolerance);
+    const WrongCells wrong(now, exact_);
+    for (Finding* finding : findings) {
+      if (finding->disagreement == Disagreement::Invalid) {
+        finding->cause->remade = !now.float_valid;
+        finding->cause->confirmed = now.float_valid;
+      } else {
+        finding->cause->remade = wrong.has(*finding);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void attribute(Crosscheck& result, const ExactComplex& exact_complex,
+               const FloatComplex& float_complex, const TracedRun& run,
+               const Crosscheck& conversion, std::size_t threads) {
+  if (result.agree()) return;
+  Attribution(result, exact_complex, float_complex, run, conversion, threads).run();
+}
+
+void attribute_conversion(Crosscheck& conversion, const Crosscheck* parsed,
+                          const ExactComplex& exact_complex) {
+  std::optional<WrongCells> wrong;
+  if (parsed) wrong.emplace(*parsed, exact_complex);
+  for (Finding& finding : conversion.findings) {
+    const bool by_parsing = !wrong || wrong->has(finding);
+    finding.cause = by_parsing ? parsing() : transforming();
+  }
+}
+
+}  // namespace plumbline::checking

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "check/stages.hpp"
+
+namespace plumbline::checking {
+
+/// Fills in the causes of all findings of `result`, the cross-check of a run's float complex. The
+/// owner of a finding is the first stage from which on it is there to the end, each stage's output
+/// being continued exactly: its own input, so continued, does not have the finding. What makes the
+/// float complex invalid belongs to the stage that left it. `conversion` is the cross-check of the
+/// rounded input, its causes filled in: what is wrong from there on has those. Cost: per stage,
+/// from the last one back to the first that is needed, an arrangement and a cross-check.
+void attribute(Crosscheck& result, const ExactComplex& exact_complex,
+               const FloatComplex& float_complex, const TracedRun& run,
+               const Crosscheck& conversion, std::size_t threads);
+
+/// Fills in the causes of a cross-check of the rounded input: Parse where the finding is there
+/// without rounding what maps gave, too; else Transform. Without `parsed` all is Parse.
+void attribute_conversion(Crosscheck& conversion, const Crosscheck* parsed,
+                          const ExactComplex& exact_complex);
+
+}  // namespace plumbline::checking
