@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "complex/certify.hpp"
+
 namespace plumbline {
 
 std::string to_text(Invariant invariant) {
@@ -46,14 +48,17 @@ void Violations::add(Violation violation) {
   if (count++ < kMaxViolations) list_.push_back(std::move(violation));
 }
 
+void validate_plane(const ExactComplex& complex, Violations& violations) {
+  validate_graph(complex, violations);
+  validate_faces(complex, violations);
+  if (!violations.has(Invariant::Derived)) validate_nesting(complex, violations);
+}
+
 std::vector<Violation> validate(const ExactComplex& complex) {
   Violations violations;
   validate_incidences(complex, violations);
-  if (!violations.has(Invariant::Index)) {
-    validate_graph(complex, violations);
-    validate_faces(complex, violations);
-    if (!violations.has(Invariant::Derived)) validate_nesting(complex, violations);
-  }
+  if (violations.empty() && is_certified(complex)) return {};
+  if (!violations.has(Invariant::Index)) validate_plane(complex, violations);
   std::vector<Violation> list = violations.take();
   std::stable_sort(list.begin(), list.end(), [](const Violation& v, const Violation& w) {
     return v.invariant < w.invariant;

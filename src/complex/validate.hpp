@@ -9,6 +9,7 @@ class Violations {
  public:
   void add(Violation violation);
   bool has(Invariant invariant) const { return counts_[static_cast<std::size_t>(invariant)] != 0; }
+  bool empty() const { return list_.empty(); }
   std::vector<Violation> take() { return std::move(list_); }
 
  private:
@@ -27,5 +28,8 @@ void validate_faces(const ExactComplex& complex, Violations& violations);
 /// Nesting: each component lies in the face that its hole (or isolated vertex) belongs to.
 /// Requires: no violation of Derived.
 void validate_nesting(const ExactComplex& complex, Violations& violations);
+
+/// Those three: what `is_certified` decides at once.
+void validate_plane(const ExactComplex& complex, Violations& violations);
 
 }  // namespace plumbline

@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <numeric>
+#include <span>
 
 #include "complex/validate.hpp"
-#include "plumbline/boundary.hpp"
 
 namespace plumbline {
 namespace {
@@ -112,13 +113,33 @@ void check_faces_of_cycles(const ExactComplex& c, Violations& violations) {
   }
 }
 
+/// The neighbours of each vertex.
+class Neighbours {
+ public:
+  explicit Neighbours(const ExactComplex& c)
+      : begin_(c.vertices.size() + 2), list_(2 * c.edge_count()) {
+    for (const Edge& e : c.edges) {
+      ++begin_[e.tail + std::size_t{2}];
+      ++begin_[e.head + std::size_t{2}];
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    for (const auto& [tail, head] : c.edges) {
+      list_[begin_[tail + std::size_t{1}]++] = head;
+      list_[begin_[head + std::size_t{1}]++] = tail;
+    }
+  }
+  std::span<const VertexId> operator[](VertexId v) const {
+    return std::span(list_).subspan(begin_[v], begin_[v + std::size_t{1}] - begin_[v]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<VertexId> list_;
+};
+
 /// Components are found anew by walking along edges from each vertex in turn.
 void check_components(const ExactComplex& c, Violations& violations) {
-  std::vector<std::vector<VertexId>> neighbours(c.vertices.size());
-  for (const Edge& e : c.edges) {
-    neighbours[e.tail].push_back(e.head);
-    neighbours[e.head].push_back(e.tail);
-  }
+  const Neighbours neighbours(c);
   std::vector<bool> seen(c.vertices.size(), false);
   std::size_t count = 0;
   for (std::size_t first = 0; first < seen.size(); ++first) {
@@ -167,18 +188,33 @@ void check_depths(const ExactComplex& c, Violations& violations) {
   }
 }
 
+/// d1 d2 = 0, column by column: the boundary of each face's edges.
 void check_boundary_of_boundary(const ExactComplex& c, Violations& violations) {
-  ChainMatrix product = boundary_1(c, c.vertices.size()) * boundary_2(c);
-  for (int f = 0; f < product.outerSize(); ++f) {
-    for (ChainMatrix::InnerIterator entry(product, f); entry; ++entry) {
-      if (entry.value() == 0) continue;
-      const VertexId v(static_cast<std::size_t>(entry.row()));
+  std::vector<int> coefficient(c.vertices.size(), 0);
+  std::vector<VertexId> touched;
+  for (std::size_t f = 0; f < c.face_count(); ++f) {
+    touched.clear();
+    const auto add = [&](CycleId cycle) {
+      for (const HalfedgeId h : c.cycles[cycle]) {
+        --coefficient[c.origin(h)];
+        ++coefficient[c.target(h)];
+        touched.push_back(c.origin(h));
+        touched.push_back(c.target(h));
+      }
+    };
+    if (c.face_outer[f].valid()) add(c.face_outer[f]);
+    for (const CycleId hole : c.face_holes[f]) add(hole);
+    std::erase_if(touched, [&](VertexId v) { return coefficient[v] == 0; });
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    for (const VertexId v : touched) {
       violations.add({Invariant::BoundaryOfBoundary,
                       "the boundary of a face has a boundary",
                       c.vertices[v],
                       {v},
                       {},
-                      {FaceId(static_cast<std::size_t>(f))}});
+                      {FaceId(f)}});
+      coefficient[v] = 0;
     }
   }
 }

@@ -15,11 +15,20 @@ std::size_t matched(const auto& matches) {
       std::count_if(matches.begin(), matches.end(), [](auto id) { return id.valid(); }));
 }
 
+/// The doubles as the rationals that they are, in the canonical order that they are in already.
+ExactComplex exact_in_order(const FloatComplex& complex) {
+  ExactComplex result;
+  static_cast<Incidences&>(result) = complex;
+  result.vertices.reserve(complex.vertices.size());
+  for (const PointD& p : complex.vertices) result.vertices.push_back(exact(p));
+  return result;
+}
+
 }  // namespace
 
 Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
                       double tolerance) {
-  return crosscheck(exact_complex, exact(float_complex), tolerance);
+  return crosscheck(exact_complex, exact_in_order(float_complex), tolerance);
 }
 
 Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& other_complex,
@@ -49,7 +58,7 @@ Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& oth
   result.matched_vertices = matched(vertices.match[matching::Exact]);
   result.matched_edges = matched(edges.match[matching::Exact]);
   result.matched_faces = faces.same;
-  result.largest_displacement = vertices.largest_displacement;
+  result.largest_displacement = nearest_sqrt(vertices.largest_squared);
   return result;
 }
 

@@ -13,7 +13,7 @@ using Walk = std::vector<HalfedgeId>;
 Walk translated(const Sides& sides, Side side, const EdgeMatch& edges, CycleId cycle) {
   Walk result;
   for (const HalfedgeId h : sides[side].cycles[cycle]) {
-    const auto& image = edges.image[side][edge_of(h)];
+    const auto image = edges.image(side, edge_of(h));
     if (!image) return {};
     if (!is_reversed(h))
       result.insert(result.end(), image->begin(), image->end());

@@ -27,7 +27,7 @@ class EdgeMatcher {
     for (const Side side : kBothSides) {
       result_.match[side].resize(sides[side].edge_count());
       result_.number[side].resize(sides[side].edge_count());
-      result_.image[side].resize(sides[side].edge_count());
+      result_.along[side].resize(sides[side].edge_count());
     }
   }
 
@@ -77,13 +77,13 @@ void EdgeMatcher::match_by_ends(Side side, const Both<std::vector<VertexId>>& en
     const Edge& edge = sides_[side].edges[e];
     const VertexId from = ends_of[side][edge.tail], to = ends_of[side][edge.head];
     if (result_.match[side][e].valid() || !from.valid() || !to.valid() || from == to) continue;
-    const EdgeId f = edge_between(sides_[other(side)], from, to);
+    const EdgeId f = edge_between(sides_, other(side), from, to);
     if (!f.valid() || result_.match[other(side)][f].valid()) continue;
     result_.match[side][e] = f;
     result_.match[other(side)][f] = e;
     const bool is_reversed = sides_[other(side)].edges[f].tail != from;
-    result_.image[side][e] = Walk{halfedge(f, is_reversed)};
-    result_.image[other(side)][f] = Walk{halfedge(e, is_reversed)};
+    result_.along[side][e] = halfedge(f, is_reversed);
+    result_.along[other(side)][f] = halfedge(e, is_reversed);
   }
 }
 
@@ -138,7 +138,7 @@ void EdgeMatcher::report_collapsed(Side side) {
       const Edge& edge = sides_[side].edges[e];
       longest = std::max(
           longest, squared_distance(sides_.point(side, edge.tail), sides_.point(side, edge.head)));
-      result_.image[side][e] = Walk{};
+      result_.other_image[side][e] = {};
     }
     Finding f =
         finding(side, joining(side), edges, {},
@@ -158,10 +158,10 @@ void EdgeMatcher::report_collapsed(Side side) {
 void EdgeMatcher::report_parallel(Side side) {
   std::map<EdgeId, std::vector<EdgeId>> by_edge;
   for (const Left& left : left_over(side)) {
-    const EdgeId f = edge_between(sides_[other(side)], left.from, left.to);
+    const EdgeId f = edge_between(sides_, other(side), left.from, left.to);
     if (!f.valid()) continue;
     by_edge[f].push_back(left.edge);
-    result_.image[side][left.edge] =
+    result_.other_image[side][left.edge] =
         Walk{halfedge(f, sides_[other(side)].edges[f].tail != left.from)};
   }
   for (auto& [f, edges] : by_edge) {
@@ -178,12 +178,11 @@ void EdgeMatcher::report_parallel(Side side) {
 /// The edge is the whole chain; of the chain, the first edge stands for it and the others for
 /// nothing.
 void EdgeMatcher::set_image(const Left& left, const Walk& chain) {
-  result_.image[left.side][left.edge] = chain;
+  result_.other_image[left.side][left.edge] = chain;
   for (const HalfedgeId h : chain) {
-    auto& image = result_.image[other(left.side)][edge_of(h)];
-    if (image) continue;
-    image = Walk{};
-    if (h == chain.front()) image->push_back(halfedge(left.edge, is_reversed(h)));
+    if (result_.image(other(left.side), edge_of(h))) continue;
+    Walk& image = result_.other_image[other(left.side)][edge_of(h)];
+    if (h == chain.front()) image.push_back(halfedge(left.edge, is_reversed(h)));
   }
 }
 
@@ -244,6 +243,13 @@ void EdgeMatcher::report_lacking(Side side) {
 }
 
 }  // namespace
+
+std::optional<std::span<const HalfedgeId>> EdgeMatch::image(Side side, EdgeId e) const {
+  if (along[side][e].valid()) return std::span(&along[side][e], 1);
+  const auto found = other_image[side].find(e);
+  if (found == other_image[side].end()) return std::nullopt;
+  return std::span<const HalfedgeId>(found->second);
+}
 
 EdgeMatch match_edges(const Sides& sides, const VertexMatch& vertices, std::size_t first_number) {
   return EdgeMatcher(sides, vertices, first_number).run();

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "crosscheck/near_vertices.hpp"
+#include "crosscheck/sole_neighbours.hpp"
 #include "crosscheck/steps.hpp"
 
 namespace plumbline::matching {
@@ -15,12 +16,53 @@ struct Candidate {
   Near near;  ///< of the float complex
 };
 
-std::vector<Candidate> candidates_nearest_first(const Sides& sides, const NearVertices& floats) {
+VertexMatch nothing_matched(const Sides& sides) {
+  VertexMatch result;
+  for (const Side side : kBothSides) {
+    result.match[side].resize(sides[side].vertices.size());
+    result.number[side].resize(sides[side].vertices.size());
+  }
+  return result;
+}
+
+void match(VertexMatch& result, VertexId exact_vertex, VertexId float_vertex) {
+  result.match[Exact][exact_vertex] = float_vertex;
+  result.match[Float][float_vertex] = exact_vertex;
+}
+
+/// Matches the vertices that have no choice; returns whether each exact vertex is done with.
+std::vector<bool> match_sole_pairs(VertexMatch& result, const Sides& sides) {
+  std::vector<bool> is_done(sides[Exact].vertices.size());
+  const double slack = distance_slack(sides.points[Exact], sides.points[Float]);
+  double farthest = 0;
+  const auto exact_distance = [&](const SolePair& pair) {
+    return squared_distance(sides.points[Exact][pair.exact], sides.points[Float][pair.other]);
+  };
+  std::vector<SolePair> pairs =
+      sole_pairs(sides.points[Exact], sides.points[Float], sides.tolerance);
+  std::erase_if(pairs, [&](const SolePair& pair) {
+    is_done[pair.exact] = true;
+    const bool is_certain = pair.distance + 2 * slack < sides.tolerance;
+    if (!is_certain && exact_distance(pair) > sides.squared_tolerance) return true;
+    match(result, VertexId(pair.exact), VertexId(pair.other));
+    farthest = std::max(farthest, pair.distance);
+    return false;
+  });
+  for (const SolePair& pair : pairs)
+    if (pair.distance + 2 * slack >= farthest)
+      result.largest_squared = std::max(result.largest_squared, exact_distance(pair));
+  return is_done;
+}
+
+std::vector<Candidate> candidates_nearest_first(const Sides& sides, const NearVertices& floats,
+                                                const std::vector<bool>& is_done) {
   std::vector<Candidate> result;
-  for (std::size_t v = 0; v < sides[Exact].vertices.size(); ++v)
+  for (std::size_t v = 0; v < sides[Exact].vertices.size(); ++v) {
+    if (is_done[v]) continue;
     for (Near& near :
          floats.within(sides[Exact].vertices[v], sides.tolerance, sides.squared_tolerance))
       result.push_back({VertexId(v), std::move(near)});
+  }
   std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
     const int by_distance = cmp(a.near.squared_distance, b.near.squared_distance);
     if (by_distance != 0) return by_distance < 0;
@@ -30,18 +72,13 @@ std::vector<Candidate> candidates_nearest_first(const Sides& sides, const NearVe
 }
 
 VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
-  VertexMatch result;
-  for (const Side side : kBothSides) {
-    result.match[side].resize(sides[side].vertices.size());
-    result.number[side].resize(sides[side].vertices.size());
-  }
-  for (const Candidate& candidate : candidates_nearest_first(sides, floats)) {
-    VertexId& of_exact = result.match[Exact][candidate.exact_vertex];
-    VertexId& of_float = result.match[Float][candidate.near.vertex];
-    if (of_exact.valid() || of_float.valid()) continue;
-    of_exact = candidate.near.vertex;
-    of_float = candidate.exact_vertex;
-    result.largest_displacement = length(candidate.near.squared_distance);
+  VertexMatch result = nothing_matched(sides);
+  const std::vector<bool> is_done = match_sole_pairs(result, sides);
+  for (const Candidate& candidate : candidates_nearest_first(sides, floats, is_done)) {
+    const VertexId v = candidate.exact_vertex, w = candidate.near.vertex;
+    if (result.match[Exact][v].valid() || result.match[Float][w].valid()) continue;
+    match(result, v, w);
+    result.largest_squared = std::max(result.largest_squared, candidate.near.squared_distance);
   }
   result.image = result.match;
   return result;
@@ -130,8 +167,8 @@ void account_for_unmatched(VertexMatch& result, const Sides& sides, Side side,
 }  // namespace
 
 VertexMatch match_vertices(const Sides& sides, std::size_t first_number) {
-  const NearVertices exacts(sides[Exact]);
-  const NearVertices floats(sides[Float]);
+  const NearVertices exacts(sides.points[Exact]);
+  const NearVertices floats(sides.points[Float]);
   VertexMatch result = one_to_one(sides, floats);
   account_for_unmatched(result, sides, Exact, floats, first_number);
   account_for_unmatched(result, sides, Float, exacts, first_number);

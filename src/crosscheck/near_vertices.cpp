@@ -13,8 +13,8 @@ namespace {
 // Proposals for the nearest vertex: rounding can disturb the order of those that coincide in
 // doubles, of which more than this many at one place are not told apart.
 constexpr std::size_t kNearestProposals = 8;
-// A rounded coordinate is off by at most half an ulp of the largest, 2^-53 of it, so a distance of
-// two rounded points by less than 2^-51 of it; the rest is room for rounding in the tree.
+// A rough coordinate is off by less than 2^-52 of the largest, so a distance of two rough points by
+// less than 2^-50 of it; the rest is room for rounding in the tree.
 constexpr double kRelativeSlack = 0x1p-48;
 
 double finite(double value) {
@@ -42,10 +42,22 @@ struct NearVertices::Tree {
     return false;
   }
 
-  PointD scaled(const Point& p) const {
-    const PointD rounded = nearest(p);
-    return {std::ldexp(finite(rounded.x), -exponent), std::ldexp(finite(rounded.y), -exponent)};
+  explicit Tree(const FilteredPoints& vertices) {
+    double largest = 0;
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      const PointD& p = vertices.rough(v);
+      largest = std::max({largest, std::abs(finite(p.x)), std::abs(finite(p.y))});
+    }
+    exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
+    points.reserve(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) points.push_back(scaled(vertices.rough(v)));
+    if (!points.empty()) index = std::make_unique<Index>(2, *this);
   }
+
+  PointD scaled(const PointD& p) const {
+    return {std::ldexp(finite(p.x), -exponent), std::ldexp(finite(p.y), -exponent)};
+  }
+  PointD scaled(const Point& p) const { return scaled(PointD{p.x.get_d(), p.y.get_d()}); }
 
   std::vector<std::size_t> query(const PointD& p, std::size_t count, double radius) const {
     std::vector<std::size_t> ids(count);
@@ -59,26 +71,20 @@ struct NearVertices::Tree {
   }
 };
 
-NearVertices::NearVertices(const ExactComplex& complex)
-    : complex_(complex), tree_(std::make_unique<Tree>()) {
-  double largest = 0;
-  for (const Point& p : complex.vertices) {
-    const PointD rounded = nearest(p);
-    largest = std::max({largest, std::abs(finite(rounded.x)), std::abs(finite(rounded.y))});
-  }
-  tree_->exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
-  for (const Point& p : complex.vertices) tree_->points.push_back(tree_->scaled(p));
-  if (!complex.vertices.empty()) tree_->index = std::make_unique<Tree::Index>(2, *tree_);
-}
-
+NearVertices::NearVertices(const FilteredPoints& vertices) : vertices_(vertices) {}
 NearVertices::~NearVertices() = default;
 NearVertices::NearVertices(NearVertices&&) noexcept = default;
+
+const NearVertices::Tree& NearVertices::tree() const {
+  if (!tree_) tree_ = std::make_unique<Tree>(vertices_);
+  return *tree_;
+}
 
 std::vector<Near> NearVertices::confirmed(const Point& p,
                                           const std::vector<std::size_t>& proposals) const {
   std::vector<Near> result;
   for (const std::size_t i : proposals)
-    result.push_back({VertexId(i), squared_distance(p, complex_.vertices[i])});
+    result.push_back({VertexId(i), squared_distance(p, vertices_[i])});
   std::sort(result.begin(), result.end(), [](const Near& a, const Near& b) {
     const int by_distance = cmp(a.squared_distance, b.squared_distance);
     return by_distance != 0 ? by_distance < 0 : a.vertex < b.vertex;
@@ -88,21 +94,23 @@ std::vector<Near> NearVertices::confirmed(const Point& p,
 
 std::vector<Near> NearVertices::within(const Point& p, double tolerance,
                                        const Rational& squared_tolerance) const {
-  if (!tree_->index) return {};
-  const PointD q = tree_->scaled(p);
+  const Tree& tree = this->tree();
+  if (!tree.index) return {};
+  const PointD q = tree.scaled(p);
   const double magnitude = std::max({1.0, std::abs(q.x), std::abs(q.y)});
   const double radius =
-      std::ldexp(tolerance, -tree_->exponent) * (1 + kRelativeSlack) + magnitude * kRelativeSlack;
-  std::vector<Near> result = confirmed(p, tree_->query(q, kMaxNeighbours, radius));
+      std::ldexp(tolerance, -tree.exponent) * (1 + kRelativeSlack) + magnitude * kRelativeSlack;
+  std::vector<Near> result = confirmed(p, tree.query(q, kMaxNeighbours, radius));
   const auto is_far = [&](const Near& near) { return near.squared_distance > squared_tolerance; };
   result.erase(std::find_if(result.begin(), result.end(), is_far), result.end());
   return result;
 }
 
 std::optional<Near> NearVertices::nearest_to(const Point& p) const {
-  if (!tree_->index) return std::nullopt;
+  const Tree& tree = this->tree();
+  if (!tree.index) return std::nullopt;
   const std::vector<Near> found = confirmed(
-      p, tree_->query(tree_->scaled(p), kNearestProposals, std::numeric_limits<double>::max()));
+      p, tree.query(tree.scaled(p), kNearestProposals, std::numeric_limits<double>::max()));
   if (found.empty()) return std::nullopt;
   return found.front();
 }

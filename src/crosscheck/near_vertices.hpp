@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/filtered_points.hpp"
 #include "plumbline/complex.hpp"
 
 namespace plumbline::matching {
@@ -15,11 +16,11 @@ struct Near {
 };
 
 /// Finds the vertices of a complex near a point. A KD-tree on rounded coordinates proposes, exact
-/// distances decide. Cost: O(n log n) to build, O(log n) a query.
+/// distances decide. Cost: O(n log n) for the first query, O(log n) for another.
 class NearVertices {
  public:
-  /// Keeps a reference to the complex.
-  explicit NearVertices(const ExactComplex& complex);
+  /// Keeps a reference to the vertices.
+  explicit NearVertices(const FilteredPoints& vertices);
   ~NearVertices();
   NearVertices(NearVertices&&) noexcept;
 
@@ -37,8 +38,10 @@ class NearVertices {
   struct Tree;
   std::vector<Near> confirmed(const Point& p, const std::vector<std::size_t>& proposals) const;
 
-  const ExactComplex& complex_;
-  std::unique_ptr<Tree> tree_;
+  const Tree& tree() const;
+
+  const FilteredPoints& vertices_;
+  mutable std::unique_ptr<Tree> tree_;  ///< made when first asked for
 };
 
 }  // namespace plumbline::matching

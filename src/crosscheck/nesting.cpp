@@ -13,16 +13,18 @@ class NestingCheck {
  public:
   NestingCheck(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
                const CycleMatch& cycles, const FaceMatch& faces)
-      : sides_(sides), vertices_(vertices), edges_(edges), cycles_(cycles), faces_(faces) {}
+      : sides_(sides), vertices_(vertices), edges_(edges), cycles_(cycles), faces_(faces) {
+    holes_ = {holes(Exact), holes(Float)};
+  }
 
   std::vector<Finding> run() {
-    for (const Group& group : connected_groups({holes(Exact), holes(Float)}, shared_edges()))
-      check(group);
+    for (const Group& group : connected_groups(holes_, shared_edges())) check(group);
     check_isolated_vertices();
     return std::move(findings_);
   }
 
  private:
+  bool is_undisturbed(Side side, CycleId c) const;
   std::vector<std::size_t> holes(Side side) const;
   std::vector<std::pair<std::size_t, std::size_t>> shared_edges() const;
   void check(const Group& group);
@@ -30,7 +32,8 @@ class NestingCheck {
   void add(const Group& group, Disagreement disagreement, std::string message);
 
   std::size_t group_of_parent(Side side, std::size_t cycle) const {
-    return faces_.group[side][sides_[side].cycle_face[cycle]];
+    const FaceId f = sides_[side].cycle_face[cycle];
+    return f.valid() ? faces_.group[side][f] : kNoGroup;
   }
   /// Whether a missing or extra hole has a finding of its own: that of an unbounded face is the
   /// outline of a component whose cells are reported, that of a missing face goes with it.
@@ -46,25 +49,36 @@ class NestingCheck {
   const EdgeMatch& edges_;
   const CycleMatch& cycles_;
   const FaceMatch& faces_;
+  Both<std::vector<std::size_t>> holes_;  ///< disturbed ones, ascending
   std::vector<Finding> findings_;
 };
 
 std::vector<std::size_t> NestingCheck::holes(Side side) const {
   std::vector<std::size_t> result;
-  for (const CycleId c : sides_[side].face_holes.flat()) result.push_back(c);
+  for (const CycleId c : sides_[side].face_holes.flat())
+    if (!is_undisturbed(side, c)) result.push_back(c);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
+}
+
+/// Whether the hole is the same on both sides, in faces that correspond: nothing to say about it.
+bool NestingCheck::is_undisturbed(Side side, CycleId c) const {
+  const CycleId there = cycles_.same[side][c];
+  if (!there.valid() || cycles_.same[other(side)][there] != c) return false;
+  if (!cycles_.is_one_to_one[side == Exact ? c : there]) return false;
+  const std::size_t group = group_of_parent(side, c);
+  return group != kNoGroup && group == group_of_parent(other(side), there);
 }
 
 /// Pairs of holes, an exact and a float one, that have an edge in common.
 std::vector<std::pair<std::size_t, std::size_t>> NestingCheck::shared_edges() const {
   std::vector<std::pair<std::size_t, std::size_t>> result;
   for (const Side side : kBothSides) {
-    const std::vector<std::size_t> others = holes(other(side));
-    for (const std::size_t c : holes(side))
+    const std::vector<std::size_t>& others = holes_[other(side)];
+    for (const std::size_t c : holes_[side])
       for (const HalfedgeId h : sides_[side].cycles[c]) {
-        const auto& image = edges_.image[side][edge_of(h)];
+        const auto image = edges_.image(side, edge_of(h));
         if (!image) continue;
         for (const HalfedgeId t : *image) {
           const CycleId d = cycles_.cycle_of[other(side)][is_reversed(h) ? twin(t) : t];

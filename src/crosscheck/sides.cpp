@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "plumbline/error.hpp"
 
@@ -12,14 +13,18 @@ namespace plumbline::matching {
 namespace {
 
 Lists<HalfedgeId> outgoing_halfedges(const ExactComplex& complex) {
-  std::vector<std::vector<HalfedgeId>> at(complex.vertices.size());
-  for (std::size_t e = 0; e < complex.edge_count(); ++e)
-    for (const bool reversed : {false, true}) {
-      const HalfedgeId h = halfedge(EdgeId(e), reversed);
-      at[complex.origin(h)].push_back(h);
-    }
+  std::vector<std::size_t> begin(complex.vertices.size() + 2);  // of the list after the next one
+  for (const Edge& e : complex.edges) {
+    ++begin[e.tail + std::size_t{2}];
+    ++begin[e.head + std::size_t{2}];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<HalfedgeId> sorted(2 * complex.edge_count());
+  for (std::size_t h = 0; h < sorted.size(); ++h)
+    sorted[begin[complex.origin(HalfedgeId(h)) + std::size_t{1}]++] = HalfedgeId(h);
   Lists<HalfedgeId> lists;
-  for (const auto& halfedges : at) lists.push_back(halfedges);
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+    lists.push_back(std::span(sorted).subspan(begin[v], begin[v + 1] - begin[v]));
   return lists;
 }
 
@@ -38,20 +43,21 @@ Sides make_sides(const ExactComplex& exact_complex, const ExactComplex& float_co
                 fmt::format("{}", tolerance));
   const Rational exact_tolerance = rational_from(tolerance);
   return {{&exact_complex, &float_complex},
+          {FilteredPoints(exact_complex.vertices), FilteredPoints(float_complex.vertices)},
           {outgoing_halfedges(exact_complex), outgoing_halfedges(float_complex)},
           tolerance,
           exact_tolerance * exact_tolerance};
 }
 
-EdgeId edge_between(const ExactComplex& complex, VertexId v, VertexId w) {
-  const auto ends = std::minmax(v, w);
-  const auto is_before = [](const Edge& e, const std::pair<VertexId, VertexId>& key) {
-    return std::pair(e.tail, e.head) < key;
+EdgeId edge_between(const Sides& sides, Side side, VertexId v, VertexId w) {
+  const auto [tail, head] = std::minmax(v, w);
+  const auto leaving = sides.outgoing[side][tail];
+  const auto is_before = [&](HalfedgeId h, VertexId key) {
+    return is_reversed(h) || sides[side].edges[edge_of(h)].head < key;
   };
-  const auto it = std::lower_bound(complex.edges.begin(), complex.edges.end(),
-                                   std::pair(ends.first, ends.second), is_before);
-  if (it == complex.edges.end() || it->tail != ends.first || it->head != ends.second) return {};
-  return EdgeId(static_cast<std::size_t>(it - complex.edges.begin()));
+  const auto found = std::lower_bound(leaving.begin(), leaving.end(), head, is_before);
+  if (found == leaving.end() || sides[side].edges[edge_of(*found)].head != head) return {};
+  return edge_of(*found);
 }
 
 std::vector<std::size_t>& cells(Finding& finding, Side side) {
@@ -87,7 +93,7 @@ Point midpoint(const ExactComplex& complex, EdgeId e) {
   return midpoint(complex.vertices[edge.tail], complex.vertices[edge.head]);
 }
 
-double length(const Rational& squared) { return std::sqrt(nearest_double(squared)); }
+double length(const Rational& squared) { return nearest_sqrt(squared); }
 
 std::string rough(double value) { return fmt::format("{:.3g}", value); }
 

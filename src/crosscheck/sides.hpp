@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/filtered_points.hpp"
 #include "plumbline/crosscheck.hpp"
 
 namespace plumbline::matching {
@@ -22,7 +23,8 @@ using Both = std::array<T, 2>;
 /// What is compared: the exact complex and the float one, its doubles taken as exact.
 struct Sides {
   Both<const ExactComplex*> complexes;
-  Both<Lists<HalfedgeId>> outgoing;  ///< per vertex, ascending
+  Both<FilteredPoints> points;       ///< their vertices
+  Both<Lists<HalfedgeId>> outgoing;  ///< per vertex, ascending: first those that run backwards
   double tolerance = 0;
   Rational squared_tolerance;
 
@@ -34,8 +36,8 @@ struct Sides {
 Sides make_sides(const ExactComplex& exact_complex, const ExactComplex& float_complex,
                  double tolerance);
 
-/// The edge between two vertices, the first of several; invalid if there is none.
-EdgeId edge_between(const ExactComplex& complex, VertexId v, VertexId w);
+/// The edge of a side between two vertices, the first of several; invalid if there is none.
+EdgeId edge_between(const Sides& sides, Side side, VertexId v, VertexId w);
 
 /// The name of a disagreement seen from a side: what is Missing or Merged for cells of the exact
 /// side is Extra or Split for cells of the float side.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+
 #include "crosscheck/groups.hpp"
 #include "crosscheck/sides.hpp"
 
@@ -18,7 +20,7 @@ struct VertexMatch {
   Both<std::vector<VertexId>> match;  ///< one to one; invalid where there is none
   /// The match, else the nearest vertex of the other side within the tolerance, else invalid.
   Both<std::vector<VertexId>> image;
-  double largest_displacement = 0;
+  Rational largest_squared;  ///< distance of matched vertices
   std::vector<Finding> findings;
   Both<Numbers> number;
 };
@@ -29,10 +31,12 @@ struct VertexMatch {
 VertexMatch match_vertices(const Sides& sides, std::size_t first_number);
 
 struct EdgeMatch {
-  Both<std::vector<EdgeId>> match;  ///< one to one; invalid where there is none
+  Both<std::vector<EdgeId>> match;      ///< one to one; invalid where there is none
+  Both<std::vector<HalfedgeId>> along;  ///< the match, from the tail to the head of the edge here
+  Both<std::map<EdgeId, std::vector<HalfedgeId>>> other_image;  ///< of edges without a match
   /// What each edge is on the other side, from its tail to its head: halfedges there; nothing if it
   /// is a vertex there or part of an edge listed with another one; nullopt: missing.
-  Both<std::vector<std::optional<std::vector<HalfedgeId>>>> image;
+  std::optional<std::span<const HalfedgeId>> image(Side side, EdgeId e) const;
   std::vector<Finding> findings;
   Both<Numbers> number;
 };
