@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "plumbline/complex.hpp"
@@ -12,7 +13,9 @@ namespace plumbline {
 struct LadderStep {
   Rational squared_radius;                         ///< exact
   std::size_t vertices = 0, edges = 0, faces = 0;  ///< from here on; faces with the unbounded one
-  /// What is that near: two vertices, or a vertex and an edge that it does not bound.
+  /// What is that near: two vertices, or a vertex and an edge that it does not bound. Of several
+  /// such pairs the first that changes a number: those of vertices before those with edges, then by
+  /// index.
   VertexId vertex;
   VertexId other_vertex;  ///< invalid where an edge is near
   EdgeId edge;            ///< invalid where two vertices are near
@@ -24,6 +27,33 @@ struct ToleranceLadder {
   std::vector<LadderStep> steps;                   ///< ascending
   bool is_complete = true;  ///< whether it goes on until nothing changes any more
 };
+
+/// Where to end a ladder.
+struct LadderOptions {
+  std::size_t max_steps = 1000;
+  std::optional<double> largest_radius;  ///< steps beyond it are left out
+};
+
+/// The tolerance ladder of a drawing: the critical radii at which its numbers of vertices, edges or
+/// faces change when everything that is no further apart than the radius counts as one. For a
+/// radius r,
+///   - vertices no further apart than r are one, and so on along chains of them (transitively);
+///   - an edge is led through each vertex that is no further than r from it and nearer to both its
+///     ends than these are to each other (so that both parts are shorter than the edge), in the
+///     order of the feet of the perpendiculars, where these coincide by (x, y);
+///   - edges whose ends are one vanish; edges with the same two ends are one;
+///   - faces are counted by Euler's relation, V - E + F = 1 + C with C connected components.
+/// This is LAR's pruning (and what `lar::arrange` does in its first round), of the exact drawing.
+/// It moves nothing: a pipeline that replaces merged vertices by their centroid may change
+/// distances by up to the radius and so merge more, or less; and the graph is an abstract one: a
+/// drawing of it with straight edges need not be planar. **Exact**: doubles propose pairs, exact
+/// distances decide. Order: steps do not depend on how the drawing is moved, turned, mirrored or
+/// scaled, unless feet coincide. Degenerate: a complex with at most one vertex has no steps.
+/// It ends early, and says so by `is_complete`, as the options say, or where more than 2^21 pairs
+/// are as near as makes no difference. Requires: a valid complex. Cost: O(n log n) and some
+/// microseconds for each pair within the last radius.
+/// Throws: Error BadInput for a largest radius that is negative or not a number.
+ToleranceLadder tolerance_ladder(const ExactComplex& complex, const LadderOptions& options = {});
 
 /// The radii for which the float pipeline's result is right, as far as they were tried.
 struct RightRadii {

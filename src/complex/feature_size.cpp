@@ -1,91 +1,76 @@
-// Both minima are found by looking only at pairs within a window as wide as the best distance so
-// far. Windows are measured in doubles and widened beyond their rounding error; distances are
-// exact.
+// Both minima in two looks: the first finds the least rounded distance, the second decides exactly
+// among all pairs that rounding does not tell from it.
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "complex/vertex_tree.hpp"
 #include "plumbline/complex.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline {
 namespace {
 
-/// Upper bound of a distance, given its exact square, on coordinates of absolute value up to
-/// `extent`. Nearest doubles of two coordinates differ from their exact difference by at most 4
-/// half-ulps of the extent; the relative margin covers the square root, the last term
-/// coordinates that underflow.
-double window(const Rational& squared, double extent) {
-  constexpr double kRelative = 1 + 8 * std::numeric_limits<double>::epsilon();
-  return nearest_sqrt(squared) * kRelative + 4 * std::numeric_limits<double>::epsilon() * extent +
-         8 * std::numeric_limits<double>::denorm_min();
-}
-
 class Search {
  public:
-  explicit Search(const ExactComplex& complex) : c_(complex) {
-    for (const Point& p : c_.vertices) {
-      points_.push_back(nearest(p));
-      extent_ = std::max({extent_, std::abs(points_.back().x), std::abs(points_.back().y)});
-    }
-  }
+  explicit Search(const ExactComplex& complex) : c_(complex), tree_(complex) {}
 
   void vertex_vertex(FeatureSize& size) const {
-    for (std::size_t e = 0; e < c_.edge_count(); ++e)
-      offer(size, c_.edges[e].tail, c_.edges[e].head);
-    double reach = window(size.squared_vertex_vertex, extent_);
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-      for (std::size_t w = v + 1; w < points_.size() && points_[w].x - points_[v].x <= reach; ++w) {
-        if (std::abs(points_[w].y - points_[v].y) > reach) continue;
-        if (offer(size, VertexId(v), VertexId(w))) {
-          reach = window(size.squared_vertex_vertex, extent_);
-        }
-      }
-    }
+    double reach = std::numeric_limits<double>::infinity();
+    for (const Edge& e : c_.edges) reach = std::min(reach, tree_.length(e.tail, e.head));
+    for_pairs(reach, [&](VertexId, VertexId, double distance) { reach = distance; });
+    reach = tree_.above(tree_.above(reach));
+    for_pairs(reach, [&](VertexId v, VertexId w, double) {
+      const Rational squared = squared_distance(c_.vertices[v], c_.vertices[w]);
+      if (size.v.valid() && (squared > size.squared_vertex_vertex ||
+                             (squared == size.squared_vertex_vertex && (size.v < v || size.w < w))))
+        return;
+      size.squared_vertex_vertex = squared;
+      size.v = v;
+      size.w = w;
+    });
   }
 
   void vertex_edge(FeatureSize& size) const {
-    // The distance of an edge from the ends of its neighbours is at most the neighbour's length, so
-    // the least vertex-vertex distance need not be an upper bound; start from the whole extent.
     double reach = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < c_.edge_count(); ++i) {
-      const EdgeId e(i);
-      const PointD &a = points_[c_.edges[e].tail], &b = points_[c_.edges[e].head];
-      const auto first = std::partition_point(points_.begin(), points_.end(),
-                                              [&](const PointD& p) { return p.x < a.x - reach; });
-      for (auto p = first; p != points_.end() && p->x <= b.x + reach; ++p) {
-        if (p->y < std::min(a.y, b.y) - reach || p->y > std::max(a.y, b.y) + reach) continue;
-        if (offer(size, VertexId(static_cast<std::size_t>(p - points_.begin())), e)) {
-          reach = window(size.squared_vertex_edge, extent_);
-        }
-      }
-    }
+    for_edges(reach, [&](VertexId, EdgeId, double distance) { reach = distance; });
+    reach = tree_.above(tree_.above(reach));
+    for_edges(reach, [&](VertexId v, EdgeId e, double) {
+      const Rational squared = squared_distance(c_.vertices[v], c_.vertices[c_.edges[e].tail],
+                                                c_.vertices[c_.edges[e].head]);
+      if (size.edge.valid() &&
+          (squared > size.squared_vertex_edge ||
+           (squared == size.squared_vertex_edge && (size.edge < e || size.vertex < v))))
+        return;
+      size.squared_vertex_edge = squared;
+      size.vertex = v;
+      size.edge = e;
+    });
   }
 
  private:
-  bool offer(FeatureSize& size, VertexId v, VertexId w) const {
-    const Rational squared = squared_distance(c_.vertices[v], c_.vertices[w]);
-    if (size.v.valid() && squared >= size.squared_vertex_vertex) return false;
-    size.squared_vertex_vertex = squared;
-    size.v = v;
-    size.w = w;
-    return true;
+  /// All pairs of vertices v < w within reach, which may shrink meanwhile.
+  template <class Visit>
+  void for_pairs(const double& reach, const Visit& visit) const {
+    for (std::size_t i = 0; i < c_.vertices.size(); ++i) {
+      const VertexId v(i);
+      tree_.visit(v, v, reach, [&](VertexId w, double distance) {
+        if (v < w) visit(v, w, distance);
+      });
+    }
   }
-  bool offer(FeatureSize& size, VertexId v, EdgeId e) const {
-    if (v == c_.edges[e].tail || v == c_.edges[e].head) return false;
-    const Rational squared = squared_distance(c_.vertices[v], c_.vertices[c_.edges[e].tail],
-                                              c_.vertices[c_.edges[e].head]);
-    if (size.edge.valid() && squared >= size.squared_vertex_edge) return false;
-    size.squared_vertex_edge = squared;
-    size.vertex = v;
-    size.edge = e;
-    return true;
+  /// All pairs of an edge and a vertex that is not its end.
+  template <class Visit>
+  void for_edges(const double& reach, const Visit& visit) const {
+    for (std::size_t i = 0; i < c_.edge_count(); ++i) {
+      const Edge& edge = c_.edges[i];
+      tree_.visit(edge.tail, edge.head, reach, [&](VertexId v, double distance) {
+        if (v != edge.tail && v != edge.head) visit(v, EdgeId(i), distance);
+      });
+    }
   }
 
   const ExactComplex& c_;
-  std::vector<PointD> points_;
-  double extent_ = 0;
+  VertexTree tree_;
 };
 
 }  // namespace

@@ -1,0 +1,96 @@
+#include "complex/vertex_tree.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace plumbline {
+namespace {
+
+// Rounding moves a coordinate by at most 2^-53 of the extent, hence a distance (which moves no more
+// than its three points do) by less than 2^-50 of it; computing a distance of up to three extents
+// adds a few units of 2^-52 of it. The rest is room.
+constexpr double kMarginOfExtent = 0x1p-46;
+// A segment shorter than this counts as a point: its direction could underflow.
+constexpr double kLeastLength = 1e-290;
+
+}  // namespace
+
+VertexTree::VertexTree(const ExactComplex& complex) {
+  const std::size_t n = complex.vertices.size();
+  points_.reserve(n);
+  double extent = 0;
+  for (const Point& p : complex.vertices) {
+    const Point& origin = complex.vertices[n / 2];
+    points_.push_back(nearest(Point{p.x - origin.x, p.y - origin.y}));
+    extent = std::max({extent, std::abs(points_.back().x), std::abs(points_.back().y)});
+  }
+  margin_ = kMarginOfExtent * extent + 2 * kLeastLength;
+  for (std::size_t v = 0; v < n; ++v) order_.emplace_back(v);
+  if (n > 0) build(0, static_cast<std::uint32_t>(n));
+}
+
+void VertexTree::build(std::uint32_t begin, std::uint32_t end) {
+  const PointD& first = points_[order_[begin]];
+  Node node{first, first, begin, end, 0, kNoLabel};
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const PointD& p = points_[order_[i]];
+    node.low = {std::min(node.low.x, p.x), std::min(node.low.y, p.y)};
+    node.high = {std::max(node.high.x, p.x), std::max(node.high.y, p.y)};
+  }
+  const std::size_t at = nodes_.size();
+  nodes_.push_back(node);
+  if (end - begin <= kLeafSize) return;
+  const bool by_x = node.high.x - node.low.x >= node.high.y - node.low.y;
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                   [&](VertexId v, VertexId w) {
+                     const double s = by_x ? points_[v].x : points_[v].y;
+                     const double t = by_x ? points_[w].x : points_[w].y;
+                     return s != t ? s < t : v < w;
+                   });
+  build(begin, middle);
+  nodes_[at].right = static_cast<std::uint32_t>(nodes_.size());
+  build(middle, end);
+}
+
+void VertexTree::set_labels(std::span<const std::uint32_t> labels) {
+  labels_.assign(labels.begin(), labels.end());
+  for (std::size_t at = nodes_.size(); at-- > 0;) {  // children come after their parents
+    Node& node = nodes_[at];
+    if (node.right != 0) {
+      const std::uint32_t left = nodes_[at + 1].label, right = nodes_[node.right].label;
+      node.label = left == right ? left : kNoLabel;
+      continue;
+    }
+    node.label = labels_[order_[node.begin]];
+    for (std::uint32_t i = node.begin; i < node.end; ++i)
+      if (labels_[order_[i]] != node.label) node.label = kNoLabel;
+  }
+}
+
+VertexTree::Query::Query(const PointD& from, const PointD& to)
+    : a(from), b(to), unit{0, 0}, length(std::hypot(to.x - from.x, to.y - from.y)) {
+  if (length < kLeastLength) length = 0;
+  if (length > 0) unit = {(b.x - a.x) / length, (b.y - a.y) / length};
+}
+
+double VertexTree::Query::distance(const PointD& p) const {
+  const double x = p.x - a.x, y = p.y - a.y;
+  const double along = x * unit.x + y * unit.y;
+  if (along <= 0 || length == 0) return std::hypot(x, y);
+  if (along >= length) return std::hypot(p.x - b.x, p.y - b.y);
+  return std::abs(unit.x * y - unit.y * x);
+}
+
+bool VertexTree::Query::may_reach(const Node& node, double reach) const {
+  if (std::min(a.x, b.x) - reach > node.high.x || std::max(a.x, b.x) + reach < node.low.x ||
+      std::min(a.y, b.y) - reach > node.high.y || std::max(a.y, b.y) + reach < node.low.y)
+    return false;
+  // The line keeps clear of the box if it is further from its centre than its corners reach.
+  const double half_x = (node.high.x - node.low.x) / 2, half_y = (node.high.y - node.low.y) / 2;
+  const double x = node.low.x + half_x - a.x, y = node.low.y + half_y - a.y;
+  return std::abs(unit.x * y - unit.y * x) <=
+         std::abs(unit.x) * half_y + std::abs(unit.y) * half_x + reach;
+}
+
+}  // namespace plumbline

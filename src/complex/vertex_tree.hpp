@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "plumbline/complex.hpp"
+
+namespace plumbline {
+
+/// The vertices of a complex in a KD-tree of rounded coordinates, for the question which of them
+/// are near a vertex or an edge. Distances are **rounded**, with a certified bound: where vertices
+/// and edges are no further apart than d, `distance` is at most `above(d)`, and the other way
+/// round. Coordinates are rounded relative to a vertex of the complex, so that it does not matter
+/// how far from the origin a drawing lies. Cost: O(n log n) to build.
+class VertexTree {
+ public:
+  explicit VertexTree(const ExactComplex& complex);
+
+  /// A number that no distance exceeds whose counterpart (rounded or exact) is d.
+  double above(double d) const { return d * kRelative + margin_; }
+  /// A number that no such distance falls below.
+  double below(double d) const { return (d - margin_) / kRelative; }
+  /// The rounded distance of v from the segment between a and b; a == b is a point.
+  double distance(VertexId v, VertexId a, VertexId b) const {
+    return Query(points_[a], points_[b]).distance(points_[v]);
+  }
+  double length(VertexId a, VertexId b) const {
+    return std::hypot(points_[b].x - points_[a].x, points_[b].y - points_[a].y);
+  }
+
+  /// Calls visit(v, distance) for every vertex v whose rounded distance from the segment between
+  /// the vertices a and b is at most `reach`, in an order that depends on the complex alone. The
+  /// ends are visited as well. `visit` may make `reach` less.
+  template <class Visit>
+  void visit(VertexId a, VertexId b, const double& reach, const Visit& visitor) const {
+    visit(a, b, reach, kNoLabel, visitor);
+  }
+  /// The same without vertices of that label (see `set_labels`).
+  template <class Visit>
+  void visit(VertexId a, VertexId b, const double& reach, std::uint32_t without,
+             const Visit& visitor) const;
+
+  /// Gives each vertex a label below kNoLabel.
+  void set_labels(std::span<const std::uint32_t> labels);
+  static constexpr std::uint32_t kNoLabel = 0xffffffffU;
+
+ private:
+  struct Node {
+    PointD low, high;          ///< the box of its vertices
+    std::uint32_t begin, end;  ///< a range of `order_`
+    std::uint32_t right;       ///< the left child is the next node; 0 for a leaf
+    std::uint32_t label;       ///< that all its vertices have, or kNoLabel
+  };
+  /// A segment that vertices are near to.
+  struct Query {
+    Query(const PointD& from, const PointD& to);
+    double distance(const PointD& p) const;
+    bool may_reach(const Node& node, double reach) const;
+
+    PointD a, b, unit;
+    double length;
+  };
+  static constexpr std::uint32_t kLeafSize = 8;
+  static constexpr double kRelative = 1 + 64 * std::numeric_limits<double>::epsilon();
+
+  void build(std::uint32_t begin, std::uint32_t end);
+
+  std::vector<PointD> points_;
+  double margin_ = 0;
+  std::vector<VertexId> order_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> labels_;
+};
+
+template <class Visit>
+void VertexTree::visit(VertexId a, VertexId b, const double& reach, std::uint32_t without,
+                       const Visit& visitor) const {
+  const Query query(points_[a], points_[b]);
+  std::vector<std::uint32_t> stack;
+  if (!nodes_.empty()) stack.push_back(0);
+  while (!stack.empty()) {
+    const std::uint32_t at = stack.back();
+    const Node& node = nodes_[at];
+    stack.pop_back();
+    if (without != kNoLabel && node.label == without) continue;
+    if (!query.may_reach(node, above(reach))) continue;
+    if (node.right != 0) {
+      stack.push_back(node.right);
+      stack.push_back(at + 1);
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      const VertexId v = order_[i];
+      if (without != kNoLabel && labels_[v] == without) continue;
+      const double distance = query.distance(points_[v]);
+      if (distance <= reach) visitor(v, distance);
+    }
+  }
+}
+
+}  // namespace plumbline

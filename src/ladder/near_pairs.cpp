@@ -1,0 +1,153 @@
+#include "ladder/near_pairs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace plumbline {
+namespace {
+
+// More proposals at a time than this are not decided: 64 MB, and some seconds.
+constexpr std::size_t kMostProposals = std::size_t{1} << 21U;
+constexpr std::size_t kSample = 512;
+
+/// The value below which `count` of the population are, by an evenly taken sample of it.
+double quantile(std::vector<double> sample, std::size_t count, std::size_t population) {
+  if (sample.empty()) return std::numeric_limits<double>::infinity();
+  const std::size_t rank = std::min(count * sample.size() / population, sample.size() - 1);
+  std::nth_element(sample.begin(), sample.begin() + rank, sample.end());
+  return sample[rank];
+}
+
+}  // namespace
+
+NearPairs::NearPairs(const ExactComplex& complex) : complex_(complex), tree_(complex) {}
+
+/// Vertices within reach that the edge may be led through, by rounded distances.
+template <class Visit>
+void NearPairs::for_vertices_along(EdgeId e, const double& reach, const Visit& visit) const {
+  const VertexId a = complex_.edges[e].tail, b = complex_.edges[e].head;
+  const double length = tree_.above(tree_.above(tree_.length(a, b)));
+  tree_.visit(a, b, reach, [&](VertexId v, double distance) {
+    if (v == a || v == b || tree_.length(a, v) > length || tree_.length(v, b) > length) return;
+    visit(v, distance);
+  });
+}
+
+std::vector<double> NearPairs::nearest_of_vertices() const {
+  std::vector<double> sample;
+  const std::size_t step = complex_.vertices.size() / kSample + 1;
+  for (std::size_t v = 0; v < complex_.vertices.size(); v += step) {
+    double reach = std::numeric_limits<double>::infinity();
+    tree_.visit(VertexId(v), VertexId(v), reach, [&](VertexId w, double distance) {
+      if (w != v) reach = distance;
+    });
+    sample.push_back(reach);
+  }
+  return sample;
+}
+
+std::vector<double> NearPairs::nearest_of_edges() const {
+  std::vector<double> sample;
+  const std::size_t step = complex_.edge_count() / kSample + 1;
+  for (std::size_t e = 0; e < complex_.edge_count(); e += step) {
+    double reach = tree_.length(complex_.edges[e].tail, complex_.edges[e].head);
+    for_vertices_along(EdgeId(e), reach, [&](VertexId, double distance) { reach = distance; });
+    sample.push_back(reach);
+  }
+  return sample;
+}
+
+double NearPairs::radius_of(std::size_t count) const {
+  const double radius = std::min(
+      quantile(nearest_of_vertices(), count, complex_.vertices.size()),
+      quantile(nearest_of_edges(), count, std::max<std::size_t>(complex_.edge_count(), 1)));
+  return tree_.above(radius);
+}
+
+bool NearPairs::propose(double end, const Quotient& quotient, std::vector<Proposal>& proposals) {
+  proposals.clear();
+  const double least = tree_.below(reached_), most = tree_.above(end);
+  for (std::size_t i = 0; i < complex_.vertices.size(); ++i) {
+    const VertexId v(i);
+    tree_.visit(v, v, most, quotient.cluster(v), [&](VertexId w, double distance) {
+      if (v < w && distance >= least)
+        proposals.push_back({distance, v, static_cast<std::uint32_t>(w), false});
+    });
+    if (proposals.size() > kMostProposals) return false;
+  }
+  for (std::size_t i = 0; i < complex_.edge_count(); ++i) {
+    const EdgeId e(i);
+    // What an edge is led through is nearer to it than its ends are to each other.
+    const double length = tree_.above(tree_.length(complex_.edges[e].tail, complex_.edges[e].head));
+    if (length < least) continue;
+    for_vertices_along(e, std::min(most, tree_.above(length)), [&](VertexId v, double distance) {
+      if (distance >= least)
+        proposals.push_back({distance, v, static_cast<std::uint32_t>(e), true});
+    });
+    if (proposals.size() > kMostProposals) return false;
+  }
+  return true;
+}
+
+bool NearPairs::leads_through(EdgeId e, VertexId v) const {
+  const Point& a = complex_.vertices[complex_.edges[e].tail];
+  const Point& b = complex_.vertices[complex_.edges[e].head];
+  const Rational squared_length = squared_distance(a, b);
+  return squared_distance(a, complex_.vertices[v]) < squared_length &&
+         squared_distance(complex_.vertices[v], b) < squared_length;
+}
+
+std::vector<NearPair> NearPairs::decided(const std::vector<Proposal>& proposals, double end) const {
+  const Rational first = rational_from(reached_), last = rational_from(end);
+  const Rational squared_first = first * first, squared_last = last * last;
+  std::vector<NearPair> pairs;
+  pairs.reserve(proposals.size());
+  for (const Proposal& p : proposals) {
+    const Point& point = complex_.vertices[p.vertex];
+    NearPair pair{0, p.vertex, {}, {}};
+    if (p.is_edge) {
+      pair.edge = EdgeId(p.other);
+      const auto [tail, head] = complex_.edges[pair.edge];
+      pair.squared_distance =
+          squared_distance(point, complex_.vertices[tail], complex_.vertices[head]);
+    } else {
+      pair.other_vertex = VertexId(p.other);
+      pair.squared_distance = squared_distance(point, complex_.vertices[pair.other_vertex]);
+    }
+    if (pair.squared_distance <= squared_first || pair.squared_distance > squared_last) continue;
+    if (!p.is_edge || leads_through(pair.edge, p.vertex)) pairs.push_back(std::move(pair));
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
+    const int order = cmp(p.squared_distance, q.squared_distance);
+    if (order != 0) return order < 0;
+    return std::tuple(p.edge.valid(), p.vertex, p.other_vertex, p.edge) <
+           std::tuple(q.edge.valid(), q.vertex, q.other_vertex, q.edge);
+  });
+  return pairs;
+}
+
+std::optional<std::vector<NearPair>> NearPairs::next(double end, std::size_t count,
+                                                     const Quotient& quotient) {
+  std::vector<std::uint32_t> labels;
+  labels.reserve(complex_.vertices.size());
+  for (std::size_t v = 0; v < complex_.vertices.size(); ++v)
+    labels.push_back(quotient.cluster(VertexId(v)));
+  tree_.set_labels(labels);
+  std::vector<Proposal> proposals;
+  for (bool is_whole = false; !is_whole;) {
+    is_whole = propose(end, quotient, proposals);
+    if (is_whole && proposals.size() <= count) break;
+    std::nth_element(proposals.begin(), proposals.begin() + count, proposals.end(),
+                     [](const Proposal& p, const Proposal& q) { return p.distance < q.distance; });
+    const double lesser = tree_.above(tree_.above(proposals[count].distance));
+    if (!is_whole && lesser >= end) return std::nullopt;
+    end = std::min(end, lesser);
+  }
+  std::erase_if(proposals, [&](const Proposal& p) { return p.distance > tree_.above(end); });
+  std::vector<NearPair> pairs = decided(proposals, end);
+  reached_ = end;
+  return pairs;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "complex/vertex_tree.hpp"
+#include "ladder/quotient.hpp"
+
+namespace plumbline {
+
+/// Two vertices, or a vertex and an edge to be led through it, and how near they are.
+struct NearPair {
+  Rational squared_distance;
+  VertexId vertex;
+  VertexId other_vertex;  ///< invalid where an edge is near; greater than `vertex` else
+  EdgeId edge;
+};
+
+/// The pairs of a complex that the tolerance ladder knows (see `tolerance_ladder`), in windows of
+/// ascending distance.
+class NearPairs {
+ public:
+  /// Keeps a reference to the complex.
+  explicit NearPairs(const ExactComplex& complex);
+
+  /// A radius within which about `count` vertices or edges have a pair, by a sample of them.
+  double radius_of(std::size_t count) const;
+
+  /// The next window: all pairs further apart than the last one reached and no further than `end`,
+  /// or than a lesser distance where these would be many more than `count`. Ascending by distance,
+  /// vertices before edges, then by index. Pairs of vertices that the quotient has merged are left
+  /// out. Nothing where too many pairs are about as near. Requires: `end` beyond the last window.
+  std::optional<std::vector<NearPair>> next(double end, std::size_t count,
+                                            const Quotient& quotient);
+  /// How far the last window reached, 0 before the first.
+  double reached() const { return reached_; }
+
+ private:
+  struct Proposal {
+    double distance;
+    VertexId vertex;
+    std::uint32_t other;  ///< vertex or edge
+    bool is_edge;
+  };
+
+  template <class Visit>
+  void for_vertices_along(EdgeId e, const double& reach, const Visit& visit) const;
+  std::vector<double> nearest_of_vertices() const;
+  std::vector<double> nearest_of_edges() const;
+  bool propose(double end, const Quotient& quotient, std::vector<Proposal>& proposals);
+  bool leads_through(EdgeId e, VertexId v) const;
+  std::vector<NearPair> decided(const std::vector<Proposal>& proposals, double end) const;
+
+  const ExactComplex& complex_;
+  VertexTree tree_;
+  double reached_ = 0;
+};
+
+}  // namespace plumbline
