@@ -10,8 +10,9 @@ namespace {
 // than its three points do) by less than 2^-50 of it; computing a distance of up to three extents
 // adds a few units of 2^-52 of it. The rest is room.
 constexpr double kMarginOfExtent = 0x1p-46;
-// A segment shorter than this counts as a point: its direction could underflow.
-constexpr double kLeastLength = 1e-290;
+// A segment shorter than this counts as a point: squares that underflow make its length, or any
+// other, wrong by less. (They do not overflow: coordinates are below 2^kMaxCoordinateBits.)
+constexpr double kLeastLength = 0x1p-500;
 
 }  // namespace
 
@@ -24,9 +25,11 @@ VertexTree::VertexTree(const ExactComplex& complex) {
     points_.push_back(nearest(Point{p.x - origin.x, p.y - origin.y}));
     extent = std::max({extent, std::abs(points_.back().x), std::abs(points_.back().y)});
   }
-  margin_ = kMarginOfExtent * extent + 2 * kLeastLength;
+  margin_ = kMarginOfExtent * extent + 4 * kLeastLength;
   for (std::size_t v = 0; v < n; ++v) order_.emplace_back(v);
   if (n > 0) build(0, static_cast<std::uint32_t>(n));
+  ordered_.reserve(n);
+  for (const VertexId v : order_) ordered_.push_back(points_[v]);
 }
 
 void VertexTree::build(std::uint32_t begin, std::uint32_t end) {
@@ -69,7 +72,7 @@ void VertexTree::set_labels(std::span<const std::uint32_t> labels) {
 }
 
 VertexTree::Query::Query(const PointD& from, const PointD& to)
-    : a(from), b(to), unit{0, 0}, length(std::hypot(to.x - from.x, to.y - from.y)) {
+    : a(from), b(to), unit{0, 0}, length(VertexTree::distance(from, to)) {
   if (length < kLeastLength) length = 0;
   if (length > 0) unit = {(b.x - a.x) / length, (b.y - a.y) / length};
 }
@@ -77,8 +80,8 @@ VertexTree::Query::Query(const PointD& from, const PointD& to)
 double VertexTree::Query::distance(const PointD& p) const {
   const double x = p.x - a.x, y = p.y - a.y;
   const double along = x * unit.x + y * unit.y;
-  if (along <= 0 || length == 0) return std::hypot(x, y);
-  if (along >= length) return std::hypot(p.x - b.x, p.y - b.y);
+  if (along <= 0 || length == 0) return VertexTree::distance(a, p);
+  if (along >= length) return VertexTree::distance(b, p);
   return std::abs(unit.x * y - unit.y * x);
 }
 

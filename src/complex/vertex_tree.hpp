@@ -27,9 +27,7 @@ class VertexTree {
   double distance(VertexId v, VertexId a, VertexId b) const {
     return Query(points_[a], points_[b]).distance(points_[v]);
   }
-  double length(VertexId a, VertexId b) const {
-    return std::hypot(points_[b].x - points_[a].x, points_[b].y - points_[a].y);
-  }
+  double length(VertexId a, VertexId b) const { return distance(points_[a], points_[b]); }
 
   /// Calls visit(v, distance) for every vertex v whose rounded distance from the segment between
   /// the vertices a and b is at most `reach`, in an order that depends on the complex alone. The
@@ -66,11 +64,16 @@ class VertexTree {
   static constexpr std::uint32_t kLeafSize = 8;
   static constexpr double kRelative = 1 + 64 * std::numeric_limits<double>::epsilon();
 
+  static double distance(const PointD& p, const PointD& q) {
+    const double x = q.x - p.x, y = q.y - p.y;
+    return std::sqrt(x * x + y * y);
+  }
   void build(std::uint32_t begin, std::uint32_t end);
 
   std::vector<PointD> points_;
   double margin_ = 0;
   std::vector<VertexId> order_;
+  std::vector<PointD> ordered_;  ///< the same points in this order
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> labels_;
 };
@@ -95,7 +98,7 @@ void VertexTree::visit(VertexId a, VertexId b, const double& reach, std::uint32_
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
       const VertexId v = order_[i];
       if (without != kNoLabel && labels_[v] == without) continue;
-      const double distance = query.distance(points_[v]);
+      const double distance = query.distance(ordered_[i]);
       if (distance <= reach) visitor(v, distance);
     }
   }
