@@ -55,7 +55,7 @@ Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& oth
   append(faces.findings);
   append(matching::nesting(sides, vertices, edges, cycles, faces));
 
-  result.matched_vertices = matched(vertices.match[matching::Exact]);
+  result.matched_vertices = matched(vertices.match[matching::Exact]) - vertices.moved_count;
   result.matched_edges = matched(edges.match[matching::Exact]);
   result.matched_faces = faces.same;
   result.largest_displacement = nearest_sqrt(vertices.largest_squared);

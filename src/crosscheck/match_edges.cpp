@@ -148,6 +148,7 @@ void EdgeMatcher::report_collapsed(Side side) {
                             rough(length(longest)),
                             side == Exact ? "collapsed into" : "grew out of", name(other(side))));
     f.where = sides_.point(other(side), v);
+    f.squared_distance = longest;
     f.distance = length(longest);
     f.segments = joined(std::move(f.segments), segments_at(sides_, other(side), std::array{v}));
     add(std::move(f));
@@ -217,6 +218,7 @@ void EdgeMatcher::report_chains(Side side, const std::vector<bool>& is_usable,
             : fmt::format("a chain of {} exact edges became one float edge", there.size());
     const Side joined_side = edges_are_matched ? side : other(side);
     Finding f = finding(side, joining(joined_side), here, there, message);
+    f.squared_distance = farthest;
     f.distance = length(farthest);
     set_image(left, chain);
     add(std::move(f));

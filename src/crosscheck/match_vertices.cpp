@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "crosscheck/moved_vertices.hpp"
 #include "crosscheck/near_vertices.hpp"
 #include "crosscheck/sole_neighbours.hpp"
 #include "crosscheck/steps.hpp"
@@ -80,8 +81,29 @@ VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
     match(result, v, w);
     result.largest_squared = std::max(result.largest_squared, candidate.near.squared_distance);
   }
-  result.image = result.match;
   return result;
+}
+
+/// Vertices that correspond by their edges: matched like others, but listed.
+std::vector<Finding> match_moved(VertexMatch& result, const Sides& sides) {
+  std::vector<Finding> findings;
+  for (const auto& [v, w] : moved_vertices(sides, result.match)) {
+    match(result, v, w);
+    Finding finding;
+    finding.kind = CellKind::Vertex;
+    finding.disagreement = Disagreement::Moved;
+    finding.where = sides.point(Exact, v);
+    finding.exact_cells = {v};
+    finding.float_cells = {w};
+    finding.squared_distance = squared_distance(finding.where, sides.point(Float, w));
+    finding.distance = length(*finding.squared_distance);
+    finding.segments =
+        joined(segments_at(sides, Exact, std::array{v}), segments_at(sides, Float, std::array{w}));
+    finding.message =
+        fmt::format("a vertex lies {} away from where it should", rough(*finding.distance));
+    findings.push_back(std::move(finding));
+  }
+  return findings;
 }
 
 /// A vertex of the side without any vertex of the other one within the tolerance.
@@ -96,7 +118,8 @@ Finding lacking_vertex(const Sides& sides, Side side, VertexId v,
   finding.message = side == Exact ? "an exact vertex is missing from the float result"
                                   : "a float vertex has no exact counterpart";
   if (nearest_other) {
-    finding.distance = length(nearest_other->squared_distance);
+    finding.squared_distance = nearest_other->squared_distance;
+    finding.distance = length(*finding.squared_distance);
     finding.message += fmt::format("; the nearest {} vertex is {} away", name(other(side)),
                                    rough(*finding.distance));
   }
@@ -113,6 +136,7 @@ Finding joined_vertices(const Sides& sides, Side side, const std::vector<VertexI
   Rational farthest = 0;
   for (const VertexId v : vertices)
     farthest = std::max(farthest, squared_distance(sides.point(side, v), finding.where));
+  finding.squared_distance = farthest;
   finding.distance = length(farthest);
   cells(finding, side).assign(vertices.begin(), vertices.end());
   std::sort(cells(finding, side).begin(), cells(finding, side).end());
@@ -170,6 +194,10 @@ VertexMatch match_vertices(const Sides& sides, std::size_t first_number) {
   const NearVertices exacts(sides.points[Exact]);
   const NearVertices floats(sides.points[Float]);
   VertexMatch result = one_to_one(sides, floats);
+  std::vector<Finding> moved = match_moved(result, sides);
+  result.moved_count = moved.size();
+  result.image = result.match;
+  for (Finding& finding : moved) add(result, std::move(finding), first_number);
   account_for_unmatched(result, sides, Exact, floats, first_number);
   account_for_unmatched(result, sides, Float, exacts, first_number);
   return result;

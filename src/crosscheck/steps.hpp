@@ -17,17 +17,19 @@ using Numbers = std::vector<std::size_t>;
 std::vector<Finding> invalidities(const Sides& sides);
 
 struct VertexMatch {
-  Both<std::vector<VertexId>> match;  ///< one to one; invalid where there is none
+  Both<std::vector<VertexId>> match;  ///< one to one, moved ones too; invalid where there is none
   /// The match, else the nearest vertex of the other side within the tolerance, else invalid.
   Both<std::vector<VertexId>> image;
-  Rational largest_squared;  ///< distance of matched vertices
+  std::size_t moved_count = 0;  ///< of the matches, how many lie beyond the tolerance
+  Rational largest_squared;     ///< distance of the other matches
   std::vector<Finding> findings;
   Both<Numbers> number;
 };
 /// Pairs of vertices within the tolerance are matched one to one, nearest pairs first (so each is
-/// the other's nearest among those left), ties by index. What is left over is Merged or Split if
-/// there is a vertex of the other side within the tolerance, else Missing or Extra.
-/// Cost: O(n log n), with at most NearVertices::kMaxNeighbours candidates a vertex.
+/// the other's nearest among those left), ties by index. Of the others, those that correspond by
+/// their edges are Moved (`moved_vertices`); what is left over is Merged or Split if there is a
+/// vertex of the other side within the tolerance, else Missing or Extra. Cost: O(n log n), with at
+/// most NearVertices::kMaxNeighbours candidates a vertex.
 VertexMatch match_vertices(const Sides& sides, std::size_t first_number);
 
 struct EdgeMatch {
