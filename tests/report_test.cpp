@@ -249,7 +249,7 @@ TEST_CASE("sixty findings are all numbered; of more, those whose labels overlap 
 TEST_CASE("the layer of findings has a feature per finding, with its place and the exact one") {
   Check check = Example().checked();
   check.crosscheck.findings[0].cause =
-      Cause{Stage::Prune, 1, "chain collapse", "", "a radius below 0.01", true};
+      Cause{Stage::Prune, 1, "chain collapse", "", "a radius below 0.01", true, {}};
   check.crosscheck.findings[2].kind = CellKind::Complex;
   rapidjson::Document json;
   json.Parse(report_geojson(check).c_str());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -31,9 +32,10 @@ struct Check {
 struct CheckOptions {
   std::optional<double> radius;     ///< of the float pipeline; by default its own
   std::optional<double> tolerance;  ///< of the comparison; by default the radius
-  /// The drawing with every number of the file rounded to the nearest double, its maps applied
-  /// exactly (`evaluate(rounded(structure))`): tells what parsing did from what transforming did.
-  std::optional<SegmentSet> parsed;
+  /// Gives the drawing with every number of the file rounded to the nearest double, its maps
+  /// applied exactly (`evaluate(rounded(structure))`): tells what parsing did from what
+  /// transforming did. Called where the answers differ; without it, all is parsing.
+  std::function<SegmentSet()> parsed;
   std::size_t threads = 0;  ///< 0: as many as there are cores; does not change the result
 };
 

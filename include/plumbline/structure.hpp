@@ -131,6 +131,11 @@ std::optional<Box> box(const Structure& structure);
 /// without models are left out. Throws: as `dimension`.
 Structure filter(const Structure& structure, const std::string& category);
 
+/// The structure with every coordinate of its models and every entry of its maps **rounded** to the
+/// nearest double: what a reader has that parses numbers as doubles. Segments may lose their
+/// length. Throws: Error BadInput for a number beyond the largest double.
+Structure rounded(Structure structure);
+
 /// All models and maps with k more dimensions, or -k fewer; Models become LarModels (V, EV).
 /// Throws: Error BadInput as the embedding of maps and models.
 Structure embed(const Structure& structure, int k);

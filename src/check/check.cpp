@@ -15,7 +15,7 @@ void compare_conversion(Check& result, const CheckOptions& options, double toler
   result.conversion = crosscheck(result.exact_complex, result.doubles_complex, tolerance);
   std::optional<Crosscheck> parsed;
   if (options.parsed && !result.conversion.agree())
-    parsed = crosscheck(result.exact_complex, arrange(*options.parsed), tolerance);
+    parsed = crosscheck(result.exact_complex, arrange(options.parsed()), tolerance);
   checking::attribute_conversion(result.conversion, parsed ? &*parsed : nullptr,
                                  result.exact_complex);
 }

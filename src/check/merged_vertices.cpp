@@ -11,37 +11,27 @@ double distance(const PointD& p, const PointD& q) { return std::hypot(p.x - q.x,
 
 }  // namespace
 
-double Cluster::least_distance() const {
+Cluster cluster(std::vector<PointD> members, const PointD& merged) {
   constexpr std::size_t kWindow = 32;
-  std::vector<PointD> sorted = members;
-  std::sort(sorted.begin(), sorted.end());
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-    for (std::size_t j = i + 1; j < std::min(sorted.size(), i + kWindow); ++j)
-      least = std::min(least, distance(sorted[i], sorted[j]));
-  return least;
-}
-
-double Cluster::extent() const {
-  double left = members.front().x, right = left, low = members.front().y, high = low;
-  for (const PointD& p : members) {
-    left = std::min(left, p.x);
-    right = std::max(right, p.x);
-    low = std::min(low, p.y);
-    high = std::max(high, p.y);
+  std::sort(members.begin(), members.end());
+  Cluster result;
+  result.size = members.size();
+  result.merged = merged;
+  result.least_distance = std::numeric_limits<double>::infinity();
+  double low = merged.y, high = merged.y;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    low = std::min(low, members[i].y);
+    high = std::max(high, members[i].y);
+    for (std::size_t j = i + 1; j < std::min(members.size(), i + kWindow); ++j)
+      result.least_distance = std::min(result.least_distance, distance(members[i], members[j]));
   }
-  return std::hypot(right - left, high - low);
+  result.extent = std::hypot(members.back().x - members.front().x, high - low);
+  return result;
 }
 
-double Cluster::largest_movement() const {
-  double largest = 0;
-  for (const PointD& p : members) largest = std::max(largest, distance(p, merged));
-  return largest;
-}
-
-void MergedVertices::add(Cluster cluster, std::span<const SegmentId> segments) {
+void MergedVertices::add(const Cluster& merged, std::span<const SegmentId> segments) {
   for (const SegmentId s : segments) by_segment_.emplace_back(s, clusters_.size());
-  clusters_.push_back(std::move(cluster));
+  clusters_.push_back(merged);
 }
 
 void MergedVertices::sort() {
@@ -57,11 +47,11 @@ const Cluster* MergedVertices::nearest_to(const PointD& p,
     for (auto it =
              std::lower_bound(by_segment_.begin(), by_segment_.end(), std::pair(s, std::size_t{0}));
          it != by_segment_.end() && it->first == s; ++it) {
-      const Cluster& cluster = clusters_[it->second];
-      const double away = distance(cluster.merged, p);
+      const Cluster& candidate = clusters_[it->second];
+      const double away = distance(candidate.merged, p);
       if (away >= least) continue;
       least = away;
-      result = &cluster;
+      result = &candidate;
     }
   return result;
 }

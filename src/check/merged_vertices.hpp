@@ -8,20 +8,19 @@
 
 namespace plumbline::checking {
 
-/// Vertices that one stage merged. Lengths in doubles, **rounded**.
+/// Vertices that one stage merged. Lengths are **rounded**.
 struct Cluster {
-  std::vector<PointD> members;
-  PointD merged;  ///< where they went
-
-  double least_distance() const;    ///< of two members; of many, of those next to each other by x
-  double extent() const;            ///< longer side of their box
-  double largest_movement() const;  ///< of a member
+  std::size_t size = 0;
+  PointD merged;              ///< where they went
+  double least_distance = 0;  ///< of two of them; of many, of those next to each other by x
+  double extent = 0;          ///< the diagonal of their box
 };
+Cluster cluster(std::vector<PointD> members, const PointD& merged);
 
 /// The clusters of a stage, to ask which of them made a finding.
 class MergedVertices {
  public:
-  void add(Cluster cluster, std::span<const SegmentId> segments);
+  void add(const Cluster& merged, std::span<const SegmentId> segments);
   /// Call once after the last `add`.
   void sort();
   /// Of the clusters that have a vertex on one of the segments the one nearest to p.

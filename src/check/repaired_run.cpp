@@ -24,6 +24,16 @@ constexpr double kReach = 4;
 
 bool changes(const lar::Round& round) { return round.pruning.clusters.size() > 0; }
 
+/// The quotient by equality: what merging vertices does exactly. Requires: ascending vertices.
+lar::Pruning equal_vertices(const std::vector<PointD>& vertices) {
+  lar::Pruning result;
+  for (const PointD& p : vertices) {
+    if (result.vertices.empty() || result.vertices.back() != p) result.vertices.push_back(p);
+    result.vertex_map.emplace_back(result.vertices.size() - 1);
+  }
+  return result;
+}
+
 }  // namespace
 
 RepairedRun::RepairedRun(const SegmentSet& input, const lar::Trace& trace, std::size_t threads)
@@ -106,14 +116,14 @@ MergedVertices RepairedRun::merged_in(std::size_t round) const {
   MergedVertices result;
   for (std::size_t i = 0; i < r.pruning.clusters.size(); ++i) {
     const auto members = r.pruning.clusters[i];
-    Cluster cluster;
-    cluster.merged = drawn(r.pruning.vertices[r.pruning.vertex_map[members.front()]]);
+    std::vector<PointD> points;
     std::vector<SegmentId> segments;
     for (const VertexId v : members) {
-      cluster.members.push_back(drawn(r.split.vertices[v]));
+      points.push_back(drawn(r.split.vertices[v]));
       segments.insert(segments.end(), segments_at[v].begin(), segments_at[v].end());
     }
-    result.add(std::move(cluster), segments);
+    const PointD& merged = r.pruning.vertices[r.pruning.vertex_map[members.front()]];
+    result.add(cluster(std::move(points), drawn(merged)), segments);
   }
   result.sort();
   return result;
@@ -163,17 +173,20 @@ void RepairedRun::explain(const Finding& finding, Cause& cause) const {
 }
 
 void RepairedRun::explain_merge(const Finding& finding, Cause& cause) const {
-  const Cluster* cluster =
+  const Cluster* merged =
       merged_[cause.round - 1].nearest_to(nearest(finding.where), finding.segments);
-  if (!cluster) {
+  if (!merged) {
     cause.rule = "merged-within-radius";
     cause.explanation = fmt::format("vertices within the radius {:.3g} were merged", trace_.radius);
     cause.advice = "a smaller radius keeps them apart";
     return;
   }
-  const double extent = cluster->extent();
+  const double extent = merged->extent;
+  // A vertex that is none of the merged ones is where edges cross that did not.
   const bool crosses =
-      finding.disagreement == Disagreement::Invalid || finding.disagreement == Disagreement::Extra;
+      finding.disagreement == Disagreement::Invalid ||
+      (finding.disagreement == Disagreement::Extra && finding.kind == CellKind::Vertex &&
+       distance(nearest(finding.where), merged->merged) > kLeastBend * trace_.radius);
   if (crosses)
     cause.rule = "fold-over";
   else if (extent > trace_.radius * (1 + 0x1p-30))
@@ -182,10 +195,9 @@ void RepairedRun::explain_merge(const Finding& finding, Cause& cause) const {
     cause.rule = "merged-within-radius";
   cause.explanation = fmt::format(
       "merging within the radius {:.3g} made one vertex of {} that are up to {:.3g} apart{}{}",
-      trace_.radius, cluster->members.size(), extent,
-      extent > trace_.radius ? ", each near the next" : "",
+      trace_.radius, merged->size, extent, extent > trace_.radius ? ", each near the next" : "",
       crosses ? ", which led edges across others" : "");
-  cause.advice = fmt::format("a radius below {:.3g} keeps them apart", cluster->least_distance());
+  cause.advice = fmt::format("a radius below {:.3g} keeps them apart", merged->least_distance);
 }
 
 /// The nearest bend of any edge within some radii; none where there is none.
@@ -195,7 +207,7 @@ const RepairedRun::Bend* RepairedRun::bend_near(const PointD& p, std::size_t rou
   const Bend* result = nullptr;
   double least = reach;
   for (auto it = std::lower_bound(bends.begin(), bends.end(), p.x - reach,
-                                  [](const Bend& b, double x) { return b.point.x < x; });
+                                  [](const Bend&b, double x) { return b.point.x < x; });
        it != bends.end() && it->point.x <= p.x + reach; ++it)
     if (const double away = distance(it->point, p); away <= least) {
       least = away;
@@ -251,8 +263,7 @@ lar::Graph RepairedRun::arranged(const lar::Graph& graph) const {
     result.edges.push_back({v, v});
     result.edge_sources.push_back(std::span<const SegmentId>());
   }
-  // Rounding may have made vertices equal.
-  return lar::simplify(result, lar::prune_vertices(result.vertices, 0));
+  return lar::simplify(result, equal_vertices(result.vertices));
 }
 
 std::optional<FloatComplex> RepairedRun::with_exact(Stage stage, std::size_t round) const {

@@ -15,8 +15,9 @@ ExitCode run(const CheckArguments& arguments) {
   Drawing drawing = load(arguments);
   const Check result = [&] {
     const Progress progress("running the float LAR pipeline and comparing");
+    const auto parsed = [&] { return evaluate(rounded(std::move(drawing.structure))); };
     return check(std::move(drawing.input), std::move(drawing.complex),
-                 {arguments.radius, arguments.tolerance, {}, arguments.threads});
+                 {arguments.radius, arguments.tolerance, parsed, arguments.threads});
   }();
   if (arguments.output) write_file(*arguments.output, report_json(result));
   if (arguments.picture) write_file(*arguments.picture, report_svg(result));

@@ -21,7 +21,8 @@ Drawing load(const DrawingArguments& arguments) {
   Drawing drawing;
   {
     const Progress progress("reading " + arguments.file);
-    drawing.input = evaluate(read(arguments.file, arguments.reading));
+    drawing.structure = read(arguments.file, arguments.reading);
+    drawing.input = evaluate(drawing.structure);
   }
   {
     Progress progress(fmt::format("arranging {} segments", drawing.input.segments.size()));

@@ -9,6 +9,7 @@ namespace plumbline::cli {
 
 /// A drawing with its exact arrangement, which has passed all its checks.
 struct Drawing {
+  Structure structure;
   SegmentSet input;
   ExactComplex complex;
 };

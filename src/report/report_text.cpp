@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kShownInputs = 3;
 constexpr std::size_t kShownRejected = 5;
+constexpr std::size_t kShownBounds = 4;
 
 using Out = std::back_insert_iterator<std::string>;
 
@@ -111,11 +112,11 @@ void append_ledger(std::string& text, const std::vector<Replacement>& ledger) {
   }
   fmt::format_to(Out(text), "exactness: {} number{} replaced, by at most", ledger.size(),
                  ledger.size() == 1 ? " was" : "s were");
-  const char* separator = " ";
-  for (const auto& [bound, count] : bounds) {
-    fmt::format_to(Out(text), "{}{} ({})", separator, line_text(bound), count);
-    separator = ", ";
-  }
+  const std::size_t shown = std::min(bounds.size(), kShownBounds);
+  for (std::size_t i = 0; i < shown; ++i)
+    fmt::format_to(Out(text), "{} {} ({})", i == 0 ? "" : ",", line_text(bounds[i].first),
+                   bounds[i].second);
+  if (shown < bounds.size()) fmt::format_to(Out(text), " and {} more", bounds.size() - shown);
   text += '\n';
 }
 

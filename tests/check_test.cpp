@@ -1,0 +1,140 @@
+#include "plumbline/check.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "plumbline/arrange.hpp"
+#include "support/segments.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Check checked(const std::string& text, const CheckOptions& options = {}) {
+  SegmentSet input = segments(text);
+  ExactComplex complex = arrange(input);
+  return check(std::move(input), std::move(complex), options);
+}
+
+Check checked(const std::string& text, double radius) {
+  CheckOptions options;
+  options.radius = radius;
+  return checked(text, options);
+}
+
+/// The only stage and rule that the findings have.
+std::pair<Stage, std::string> only_cause(const std::vector<Finding>& findings) {
+  REQUIRE_FALSE(findings.empty());
+  const Finding& first = findings.front();
+  REQUIRE(first.cause);
+  for (const Finding& finding : findings) {
+    REQUIRE(finding.cause);
+    CHECK(to_text(finding.cause->stage) == to_text(first.cause->stage));
+    CHECK(finding.cause->rule == first.cause->rule);
+  }
+  return {first.cause->stage, first.cause->rule};
+}
+
+const Finding& only(const std::vector<Finding>& findings, CellKind kind) {
+  const auto is_of_kind = [&](const Finding& f) { return f.kind == kind; };
+  REQUIRE(std::count_if(findings.begin(), findings.end(), is_of_kind) == 1);
+  return *std::find_if(findings.begin(), findings.end(), is_of_kind);
+}
+
+}  // namespace
+
+TEST_CASE("a drawing whose float result is right has no findings and three equal answers") {
+  const Check result = checked("0 0 4 0  4 0 4 4  4 4 0 4  0 4 0 0  1 1 2 1  2 1 2 2  2 2 1 1");
+  CHECK(result.agree());
+  CHECK(result.conversion.agree());
+  CHECK(result.crosscheck.exact_counts == result.crosscheck.float_counts);
+  CHECK(result.conversion.exact_counts == result.conversion.float_counts);
+  CHECK(result.result == "repaired");
+}
+
+TEST_CASE("vertices nearer than the radius are merged by pruning") {
+  // Two ends 0.01 apart and nothing else within 0.1.
+  const Check result = checked("0 0 1 0  1.01 0 2 0", 0.1);
+  CHECK(only_cause(result.crosscheck.findings) ==
+        std::pair(Stage::Prune, std::string("merged-within-radius")));
+  const Finding& vertex = only(result.crosscheck.findings, CellKind::Vertex);
+  CHECK(vertex.disagreement == Disagreement::Merged);
+  CHECK(vertex.cause->round == 1);
+  CHECK(vertex.cause->confirmed);
+  CHECK(vertex.cause->remade == false);
+  CHECK(vertex.cause->advice == "a radius below 0.01 keeps them apart");
+}
+
+TEST_CASE("with the radius that the advice names there is nothing to find") {
+  CHECK(checked("0 0 1 0  1.01 0 2 0", 0.0099).agree());
+}
+
+TEST_CASE("a chain of near vertices is told from a pair of them") {
+  // Feet of walls 0.9 radii apart become one: 4 of them span 2.7 radii (catalogue, Q1).
+  const Check result = checked("0 0 0 9  0.09 0 1 9  0.18 0 2 9  0.27 0 3 9", 0.1);
+  CHECK(only_cause(result.crosscheck.findings) ==
+        std::pair(Stage::Prune, std::string("chain-collapse")));
+}
+
+TEST_CASE("an edge led through a vertex beside it is laid to intersecting") {
+  // The wall ends 0.01 below the ceiling: a gap for CAD, a T junction within the radius.
+  const Check result = checked("0 1 2 1  1 0 1 0.99", 0.1);
+  CHECK(only_cause(result.crosscheck.findings) ==
+        std::pair(Stage::Intersect, std::string("snapped-to-edge")));
+  for (const Finding& finding : result.crosscheck.findings)
+    CHECK(finding.cause->advice == "a radius below 0.01 keeps them apart");
+}
+
+TEST_CASE("what follows from another finding has its cause") {
+  // A quadrangle whose side of 1/100 collapses: one vertex, one edge, one face.
+  const Check result = checked("0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0", 0.1);
+  const Finding& face = only(result.crosscheck.findings, CellKind::Face);
+  CHECK(face.because == std::vector<std::size_t>{2});
+  CHECK(face.cause->rule == "merged-within-radius");
+}
+
+TEST_CASE("what rounding to doubles changes is laid to parsing where no map has a part in it") {
+  // (10.3, 0.1) lies on the wall as authored; the nearest doubles do not.
+  const Check result = checked("10 0 10.9 0.3  10.3 0.1 10.5 2");
+  CHECK(result.agree());
+  CHECK(result.conversion.exact_counts.vertices == 4);
+  CHECK(result.conversion.float_counts.vertices == 5);
+  CHECK(only_cause(result.conversion.findings).first == Stage::Parse);
+}
+
+TEST_CASE("what rounding changes after the maps only is laid to transforming") {
+  // All numbers are doubles. The map x -> x (1 + 2^-52) + 2^-53 y, exact, leads the foot along with
+  // the wall; its coordinates take more than 53 bits.
+  Structure structure;
+  structure.files = {"test"};
+  const Rational ulp = rational_from(0x1p-52);
+  Struct root;
+  root.body.push_back(Affine(1 + ulp, ulp / 2, ulp / 2, 1 + 3 * ulp, 0, 0));
+  Model model;
+  model.source.element = "line";
+  const auto number = [](double value) { return Number(rational_from(value)); };
+  model.segments.push_back({number(0), number(0)}, {number(9), number(3)});
+  model.segments.push_back({number(3), number(1)}, {number(5), number(20)});
+  root.body.push_back(model);
+  structure.structs = {root};
+  structure.root = StructId(0);
+
+  SegmentSet input = evaluate(structure);
+  ExactComplex complex = arrange(input);
+  REQUIRE(complex.vertices.size() == 4);
+  CheckOptions options;
+  options.parsed = [&] { return evaluate(rounded(structure)); };
+  const Check result = check(std::move(input), std::move(complex), options);
+  CHECK(only_cause(result.conversion.findings).first == Stage::Transform);
+}
+
+TEST_CASE("findings, causes and counts do not depend on the order or direction of the segments") {
+  const Check one = checked("0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0", 0.1);
+  const Check other = checked("0 0 0 4  4 0.01 4 0  0 4 4 0.01  4 0 0 0", 0.1);
+  REQUIRE(one.crosscheck.findings.size() == other.crosscheck.findings.size());
+  for (std::size_t i = 0; i < one.crosscheck.findings.size(); ++i) {
+    const Finding &f = one.crosscheck.findings[i], &g = other.crosscheck.findings[i];
+    CHECK(f.message == g.message);
+    CHECK(f.cause->explanation == g.cause->explanation);
+  }
+}
