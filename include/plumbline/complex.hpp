@@ -124,7 +124,7 @@ FaceId locate(const ExactComplex& complex, const Point& p);
 /// not bound. Squared, **exact**. Requires: a valid complex with at least one edge.
 struct FeatureSize {
   Rational squared_vertex_vertex;
-  VertexId v, w;  ///< of several pairs that are as near the first, here and below
+  VertexId v, w;                 ///< of several pairs that are as near the first, here and below
   Rational squared_vertex_edge;  ///< 0 and invalid ids where there is no such pair
   VertexId vertex;
   EdgeId edge;

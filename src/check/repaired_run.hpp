@@ -40,7 +40,7 @@ class RepairedRun : public TracedRun {
   const std::size_t threads_;
   std::vector<MergedVertices> merged_;                          ///< per round
   std::vector<std::vector<std::pair<SegmentId, Bend>>> bends_;  ///< per round, by segment
-  std::vector<std::vector<Bend>> bends_by_x_;                    ///< per round
+  std::vector<std::vector<Bend>> bends_by_x_;                   ///< per round
 };
 
 }  // namespace plumbline::checking
