@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kShownInputs = 3;
 constexpr std::size_t kShownRejected = 5;
 constexpr std::size_t kShownBounds = 4;
+constexpr std::size_t kShownKinds = 4;
 
 using Out = std::back_insert_iterator<std::string>;
 
@@ -39,18 +40,25 @@ void append_counts(std::string& text, const Check& check) {
                  c.matched_vertices, c.matched_edges, c.matched_faces);
 }
 
-/// "2 edge merged, 1 face missing", the most frequent first.
+std::string plural(CellKind kind) {
+  return kind == CellKind::Vertex ? "vertices" : to_text(kind) + 's';
+}
+
+/// "2 edges merged, 1 face missing", the most frequent first, some of them.
 std::string kinds(const std::vector<Finding>& findings) {
-  std::map<std::string, std::size_t> counts;
-  for (const Finding& finding : findings)
-    ++counts[to_text(finding.kind) + ' ' + to_text(finding.disagreement)];
-  std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
+  std::map<std::pair<CellKind, Disagreement>, std::size_t> counts;
+  for (const Finding& finding : findings) ++counts[{finding.kind, finding.disagreement}];
+  std::vector<std::pair<std::pair<CellKind, Disagreement>, std::size_t>> sorted(counts.begin(),
+                                                                                counts.end());
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string text;
-  for (const auto& [kind, count] : sorted)
-    fmt::format_to(Out(text), "{}{} {}", text.empty() ? "" : ", ", count, kind);
-  return text;
+  for (std::size_t i = 0; i < std::min(sorted.size(), kShownKinds); ++i) {
+    const auto& [kind, count] = sorted[i];
+    fmt::format_to(Out(text), "{}{} {} {}", i == 0 ? "" : ", ", count,
+                   count == 1 ? to_text(kind.first) : plural(kind.first), to_text(kind.second));
+  }
+  return sorted.size() > kShownKinds ? text + ", ..." : text;
 }
 
 /// What rounding alone would change.
