@@ -13,6 +13,9 @@ std::string report_json(const Check& check);
 /// Two panels of the same drawing, exact and float: faces filled by depth, edges, and every finding
 /// marked with its number in a second colour.
 std::string report_svg(const Check& check);
+/// A page to look at all of it with a browser: pan and zoom, layers, findings, faces, the ladder.
+/// One file that loads nothing else. Cost: some 20 bytes an edge and complex.
+std::string report_html(const Check& check);
 /// The findings of the float result as a GeoJSON layer for QGIS and OGR: a Feature per finding, its
 /// place as a Point (null for kind Complex) in the drawing's own coordinates. Documented in
 /// docs/json.md.

@@ -11,6 +11,7 @@ namespace plumbline::cli {
 ExitCode run(const CheckArguments& arguments) {
   check_outputs(arguments.file, {{arguments.output, {".json"}},
                                  {arguments.picture, {".svg"}},
+                                 {arguments.report, {".html"}},
                                  {arguments.findings, {".geojson", ".json"}}});
   Drawing drawing = load(arguments);
   const Check result = [&] {
@@ -21,6 +22,7 @@ ExitCode run(const CheckArguments& arguments) {
   }();
   if (arguments.output) write_file(*arguments.output, report_json(result));
   if (arguments.picture) write_file(*arguments.picture, report_svg(result));
+  if (arguments.report) write_file(*arguments.report, report_html(result));
   if (arguments.findings) write_file(*arguments.findings, report_geojson(result));
   fmt::print("{}", report_text(result));
   return result.agree() ? kAgree : kDisagree;

@@ -35,6 +35,7 @@ struct CheckArguments : DrawingArguments {
   std::optional<double> tolerance;
   std::optional<std::string> output;
   std::optional<std::string> picture;
+  std::optional<std::string> report;
   std::optional<std::string> findings;
 };
 

@@ -181,6 +181,31 @@ void add_random_command(CLI::App& app, RandomArguments& arguments, ExitCode& exi
   command->callback([&] { exit_code = run(arguments); });
 }
 
+void add_check_options(CLI::App& command, CheckArguments& arguments) {
+  command
+      .add_option(
+          "--radius", arguments.radius,
+          "Float LAR merges vertices no further apart than this, in drawing units "
+          "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate]")
+      ->type_name("R");
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  "Vertices match within this distance, in drawing units [default: the radius]")
+      ->type_name("T");
+  command.add_option("-o,--output", arguments.output, "Write all findings to a JSON file")
+      ->type_name("FILE");
+  command
+      .add_option("--picture", arguments.picture,
+                  "Draw both results and the findings to an SVG file")
+      ->type_name("FILE");
+  command.add_option("--report", arguments.report, "Write an HTML page with all of it")
+      ->type_name("FILE");
+  command
+      .add_option("--findings", arguments.findings,
+                  "Write the findings as points to a GeoJSON file, for QGIS and OGR")
+      ->type_name("FILE");
+}
+
 /// CLI11 would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -211,25 +236,7 @@ ExitCode parse_and_run(int argc, char** argv) {
       app, check, "check", "Hold the float LAR result against the exact one",
       "Example: plumbline check plan.svg --radius 0.01 -o report.json --picture check.svg",
       exit_code);
-  command
-      ->add_option(
-          "--radius", check.radius,
-          "Float LAR merges vertices no further apart than this, in drawing units "
-          "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate]")
-      ->type_name("R");
-  command
-      ->add_option("--tolerance", check.tolerance,
-                   "Vertices match within this distance, in drawing units [default: the radius]")
-      ->type_name("T");
-  command->add_option("-o,--output", check.output, "Write all findings to a JSON file")
-      ->type_name("FILE");
-  command
-      ->add_option("--picture", check.picture, "Draw both results and the findings to an SVG file")
-      ->type_name("FILE");
-  command
-      ->add_option("--findings", check.findings,
-                   "Write the findings as points to a GeoJSON file, for QGIS and OGR")
-      ->type_name("FILE");
+  add_check_options(*command, check);
 
   InfoArguments info;
   add_command(app, info, "info", "What a drawing holds: counts, extent, repetitions, feature size",

@@ -1,0 +1,61 @@
+// The head of the page and the three answers side by side.
+
+import { count, element, number, plural } from "./dom";
+import type { Drawing } from "./drawing";
+import { ComplexName, complexNames, CountName, Report } from "./report";
+import { complexTitle, resultTitle } from "./titles";
+
+const rows: [CountName, string][] = [
+  ["vertices", "vertices"],
+  ["edges", "edges"],
+  ["faces", "faces"],
+  ["holes", "holes"],
+  ["depth", "nesting depth"],
+  ["components", "components"],
+  ["antennas", "antennas"],
+  ["isolated_vertices", "isolated vertices"],
+];
+
+export function showHead(report: Report, title: HTMLElement, verdict: HTMLElement, facts: HTMLElement): void {
+  title.textContent = report.files.join(", ") || "drawing";
+  const agrees = report.verdict === "agree";
+  verdict.textContent = agrees ? "Agree" : `Disagree: ${plural(report.findings.length, "finding")}`;
+  verdict.className = agrees ? "agree" : "disagree";
+  const parts = [resultTitle(report)];
+  if (report.radius !== null) parts.push(`radius ${number(report.radius)}`);
+  if (report.tolerance !== report.radius) parts.push(`tolerance ${number(report.tolerance)}`);
+  if (report.right_radii)
+    parts.push(`right for radii from ${number(report.right_radii[0])} to ${number(report.right_radii[1])}`);
+  facts.textContent = parts.join(" · ");
+}
+
+const countsOf = (report: Report, name: ComplexName) =>
+  report.counts[name === "authored" ? "exact" : name];
+
+function totalArea(drawing: Drawing, name: ComplexName): number {
+  return drawing.complexes[name].area.reduce((sum, area) => sum + area, 0);
+}
+
+export function showAnswers(drawing: Drawing, table: HTMLTableElement): void {
+  const { report } = drawing;
+  const head = element("tr", {}, element("td"));
+  for (const name of complexNames)
+    head.append(element("th", { scope: "col" }, element("span", { class: `swatch ${name}` }), complexTitle[name]));
+  const body = element("tbody");
+  const addRow = (title: string, texts: string[]) => {
+    const row = element("tr", {}, element("th", { scope: "row" }, title));
+    texts.forEach((text, i) =>
+      row.append(element("td", { class: i > 0 && text !== texts[0] ? "differs" : "" }, text)),
+    );
+    body.append(row);
+  };
+  for (const [name, title] of rows) {
+    const values = complexNames.map((complex) => countsOf(report, complex)[name]);
+    if (name === "isolated_vertices" && values.every((value) => value === 0)) continue;
+    addRow(title, values.map(count));
+  }
+  addRow("area of all faces", complexNames.map((name) => number(totalArea(drawing, name), 7)));
+  const conversionValid = report.conversion.every((finding) => finding.disagreement !== "invalid");
+  addRow("valid complex", ["yes", conversionValid ? "yes" : "no", report.float_valid ? "yes" : "no"]);
+  table.append(element("thead", {}, head), body);
+}
