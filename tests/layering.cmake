@@ -19,6 +19,7 @@ layer(read        error number geometry structure)
 layer(complex     error number geometry lists model boundary polygons)
 layer(boundary    error number geometry complex)         # a second header of src/complex
 layer(polygons    error number geometry complex)         # a third one
+layer(result      error number geometry lists structure read complex polygons)
 layer(arrange     error number geometry structure read complex cgal)
 layer(cgal        error number geometry complex arrange) # plumbline/cgal.hpp and CGAL itself
 layer(lar         error number geometry complex published) # never arrange, never CGAL
@@ -28,10 +29,10 @@ layer(round       error number geometry complex cgal)
 layer(crosscheck  error number geometry structure read complex boundary arrange lar published)
 layer(ladder      error number geometry complex arrange)
 layer(diagnose    error number geometry complex arrange)
-layer(check       ${may_crosscheck} ladder)
+layer(check       ${may_crosscheck} ladder result)
 layer(write       ${may_check} diagnose triangulate round)
 layer(report      ${may_write})
-layer(plumbline   ${may_report} polygons)                         # the umbrella header
+layer(plumbline   ${may_report} polygons result)                         # the umbrella header
 layer(cli         ${may_plumbline})                      # of these, public headers only
 
 set(found 0)

@@ -6,6 +6,7 @@
 
 #include "plumbline/crosscheck.hpp"
 #include "plumbline/ladder.hpp"
+#include "plumbline/result.hpp"
 #include "plumbline/structure.hpp"
 
 namespace plumbline {
@@ -43,5 +44,17 @@ struct CheckOptions {
 /// input, made by `arrange(input)`, and that over the doubles. Cost: that of the three, and of
 /// `crosscheck`. Throws: as `arrange`, `lar::arrange`, `crosscheck`.
 Check check(SegmentSet input, ExactComplex exact_complex, const CheckOptions& options = {});
+
+/// Holds a result that another program made of the drawing against the exact complexes, in the same
+/// way; of one without faces vertices and edges alone. Its `rejected` items are added to those of
+/// the input, its file to the input's files. Default tolerance: kForeignTolerance times the longer
+/// side of the drawing's box, but at least lar::kLeastRelativeRadius times its largest coordinate.
+/// Every cause is Foreign. Throws: as `crosscheck`.
+Check check_against(SegmentSet input, ExactComplex exact_complex, ForeignResult foreign,
+                    const CheckOptions& options = {});
+/// Double arithmetic and 15 written digits leave an error of 1e-15 of a coordinate; crossings at
+/// small angles, a drawing away from the origin and sums of errors multiply it. A factor of a
+/// million is left for them, while gaps that someone drew are larger.
+inline constexpr double kForeignTolerance = 1e-9;
 
 }  // namespace plumbline

@@ -87,8 +87,15 @@ struct Counts {
 };
 Counts counts(const Incidences& complex, std::size_t vertex_count);
 
+/// Which cells are compared.
+enum class Compared {
+  All,
+  Graph,  ///< vertices and edges, of a result that has no faces
+};
+
 struct Crosscheck {
   double tolerance = 0;
+  Compared compared = Compared::All;
   Counts exact_counts, float_counts;
   /// Pairs that match one to one; of faces those with the same outer boundary.
   std::size_t matched_vertices = 0, matched_edges = 0, matched_faces = 0;
@@ -114,8 +121,9 @@ struct Crosscheck {
 /// not finite.
 Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
                       double tolerance);
-/// The same of two exact complexes: the second one takes the place of the float complex.
+/// The same of two exact complexes: the second one takes the place of the float complex. Of Graph,
+/// what its faces and cycles are does not matter.
 Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& other_complex,
-                      double tolerance);
+                      double tolerance, Compared compared = Compared::All);
 
 }  // namespace plumbline

@@ -16,6 +16,7 @@
 #include "plumbline/published.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/report.hpp"
+#include "plumbline/result.hpp"
 #include "plumbline/structure.hpp"
 #include "plumbline/triangulate.hpp"
 #include "plumbline/write.hpp"

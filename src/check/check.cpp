@@ -1,5 +1,7 @@
 #include "plumbline/check.hpp"
 
+#include <algorithm>
+
 #include "check/attribute.hpp"
 #include "check/line_work.hpp"
 #include "check/repaired_run.hpp"
@@ -20,6 +22,28 @@ void compare_conversion(Check& result, const CheckOptions& options, double toler
                                  result.exact_complex);
 }
 
+/// Adds the notes on the result to those on the drawing.
+void add_notes(SegmentSet& input, ForeignResult& foreign) {
+  const std::uint32_t file = input.add_file(foreign.file);
+  for (Rejected& item : foreign.rejected) {
+    item.source.file = file;
+    input.rejected.push_back(std::move(item));
+  }
+}
+
+double foreign_tolerance(const ExactComplex& complex) {
+  if (complex.vertices.empty()) return 0;
+  PointD low = nearest(complex.vertices.front()), high = low;
+  for (const Point& vertex : complex.vertices) {
+    const PointD p = nearest(vertex);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double side = std::max(high.x - low.x, high.y - low.y);
+  const double largest = std::max({-low.x, -low.y, high.x, high.y});
+  return std::max(kForeignTolerance * side, lar::kLeastRelativeRadius * largest);
+}
+
 }  // namespace
 
 Check check(SegmentSet input, ExactComplex exact_complex, const CheckOptions& options) {
@@ -38,6 +62,21 @@ Check check(SegmentSet input, ExactComplex exact_complex, const CheckOptions& op
     checking::attribute(result.crosscheck, result.exact_complex, result.float_complex, traced,
                         result.conversion, options.threads);
   }
+  return result;
+}
+
+Check check_against(SegmentSet input, ExactComplex exact_complex, ForeignResult foreign,
+                    const CheckOptions& options) {
+  Check result;
+  result.input = std::move(input);
+  result.exact_complex = std::move(exact_complex);
+  result.float_complex = nearest(foreign.complex);
+  result.result = foreign.file;
+  const double tolerance = options.tolerance.value_or(foreign_tolerance(result.exact_complex));
+  result.crosscheck = crosscheck(result.exact_complex, foreign.complex, tolerance,
+                                 foreign.has_faces ? Compared::All : Compared::Graph);
+  compare_conversion(result, options, tolerance);
+  add_notes(result.input, foreign);
   return result;
 }
 

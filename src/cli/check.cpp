@@ -7,19 +7,29 @@
 #include "cli/progress.hpp"
 
 namespace plumbline::cli {
+namespace {
+
+Check compare(const CheckArguments& arguments) {
+  std::optional<ForeignResult> foreign;  // read first: what is malformed is told at once
+  if (arguments.against) foreign = read_result(*arguments.against);
+  Drawing drawing = load(arguments);
+  const Progress progress(foreign ? "comparing with " + foreign->file
+                                  : "running the float LAR pipeline and comparing");
+  const auto parsed = [&] { return evaluate(rounded(std::move(drawing.structure))); };
+  const CheckOptions options{arguments.radius, arguments.tolerance, parsed, arguments.threads};
+  return foreign ? check_against(std::move(drawing.input), std::move(drawing.complex),
+                                 std::move(*foreign), options)
+                 : check(std::move(drawing.input), std::move(drawing.complex), options);
+}
+
+}  // namespace
 
 ExitCode run(const CheckArguments& arguments) {
   check_outputs(arguments.file, {{arguments.output, {".json"}},
                                  {arguments.picture, {".svg"}},
                                  {arguments.report, {".html"}},
                                  {arguments.findings, {".geojson", ".json"}}});
-  Drawing drawing = load(arguments);
-  const Check result = [&] {
-    const Progress progress("running the float LAR pipeline and comparing");
-    const auto parsed = [&] { return evaluate(rounded(std::move(drawing.structure))); };
-    return check(std::move(drawing.input), std::move(drawing.complex),
-                 {arguments.radius, arguments.tolerance, parsed, arguments.threads});
-  }();
+  const Check result = compare(arguments);
   if (arguments.output) write_file(*arguments.output, report_json(result));
   if (arguments.picture) write_file(*arguments.picture, report_svg(result));
   if (arguments.report) write_file(*arguments.report, report_html(result));

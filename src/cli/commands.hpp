@@ -31,6 +31,7 @@ struct ArrangeArguments : DrawingArguments {
 };
 
 struct CheckArguments : DrawingArguments {
+  std::optional<std::string> against;
   std::optional<double> radius;
   std::optional<double> tolerance;
   std::optional<std::string> output;

@@ -189,8 +189,18 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
           "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate]")
       ->type_name("R");
   command
+      .add_option(
+          "--against", arguments.against,
+          "Check this result, made by another program, and not float LAR's: LAR (V, FV, EV) "
+          "as JSON; polygons and lines as GeoJSON, WKT, WKB, CSV; what arrange -o and lar "
+          "--trace write")
+      ->type_name("FILE")
+      ->excludes("--radius");
+  command
       .add_option("--tolerance", arguments.tolerance,
-                  "Vertices match within this distance, in drawing units [default: the radius]")
+                  "Vertices match within this distance, in drawing units [default: the radius; "
+                  "with --against 1e-9 x the drawing's longer side, at least 2^-46 x its largest "
+                  "coordinate]")
       ->type_name("T");
   command.add_option("-o,--output", arguments.output, "Write all findings to a JSON file")
       ->type_name("FILE");
@@ -234,7 +244,8 @@ ExitCode parse_and_run(int argc, char** argv) {
   CheckArguments check;
   command = add_command(
       app, check, "check", "Hold the float LAR result against the exact one",
-      "Example: plumbline check plan.svg --radius 0.01 -o report.json --picture check.svg",
+      "Examples: plumbline check plan.svg --radius 0.01 -o report.json --picture check.svg\n"
+      "          plumbline check plan.svg --against polygons.geojson",
       exit_code);
   add_check_options(*command, check);
 

@@ -32,10 +32,11 @@ Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& flo
 }
 
 Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& other_complex,
-                      double tolerance) {
+                      double tolerance, Compared compared) {
   const matching::Sides sides = matching::make_sides(exact_complex, other_complex, tolerance);
   Crosscheck result;
   result.tolerance = tolerance;
+  result.compared = compared;
   result.exact_counts = counts(exact_complex, exact_complex.vertices.size());
   result.float_counts = counts(other_complex, other_complex.vertices.size());
   const auto append = [&](std::vector<Finding> findings) {
@@ -43,22 +44,23 @@ Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& oth
   };
   const auto next_number = [&] { return result.findings.size() + 1; };
 
-  append(matching::invalidities(sides));
+  append(matching::invalidities(sides, compared));
   result.float_valid = result.findings.empty();
   const matching::VertexMatch vertices = matching::match_vertices(sides, next_number());
   append(vertices.findings);
   const matching::EdgeMatch edges = matching::match_edges(sides, vertices, next_number());
   append(edges.findings);
+  result.matched_vertices = matched(vertices.match[matching::Exact]) - vertices.moved_count;
+  result.matched_edges = matched(edges.match[matching::Exact]);
+  result.largest_displacement = nearest_sqrt(vertices.largest_squared);
+  if (compared == Compared::Graph) return result;
+
   const matching::CycleMatch cycles = matching::match_cycles(sides, edges);
   const matching::FaceMatch faces =
       matching::match_faces(sides, vertices, edges, cycles, result.float_valid);
   append(faces.findings);
   append(matching::nesting(sides, vertices, edges, cycles, faces));
-
-  result.matched_vertices = matched(vertices.match[matching::Exact]) - vertices.moved_count;
-  result.matched_edges = matched(edges.match[matching::Exact]);
   result.matched_faces = faces.same;
-  result.largest_displacement = nearest_sqrt(vertices.largest_squared);
   return result;
 }
 

@@ -13,8 +13,8 @@ namespace plumbline::matching {
 /// Numbers of findings by cell; 0: the cell is in no finding.
 using Numbers = std::vector<std::size_t>;
 
-/// The broken invariants of the float complex, as findings.
-std::vector<Finding> invalidities(const Sides& sides);
+/// The broken invariants of the float complex, or those of its vertices and edges, as findings.
+std::vector<Finding> invalidities(const Sides& sides, Compared compared);
 
 struct VertexMatch {
   Both<std::vector<VertexId>> match;  ///< one to one, moved ones too; invalid where there is none

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "crosscheck/steps.hpp"
 
 namespace plumbline::matching {
@@ -19,6 +22,7 @@ Finding to_finding(const Sides& sides, const Violation& violation) {
   finding.invariant = violation.invariant;
   finding.message = fmt::format("the float result is not a valid complex: {} ({})",
                                 violation.message, to_text(violation.invariant));
+  finding.invariant = violation.invariant;
   finding.where = violation.where;
   if (!violation.edges.empty()) {
     finding.kind = CellKind::Edge;
@@ -35,12 +39,19 @@ Finding to_finding(const Sides& sides, const Violation& violation) {
   return finding;
 }
 
+bool is_of_graph(Invariant invariant) {
+  constexpr std::array kOfGraph = {Invariant::Index, Invariant::Crossing, Invariant::VertexOnEdge,
+                                   Invariant::DuplicateVertex, Invariant::DuplicateEdge};
+  return std::ranges::find(kOfGraph, invariant) != kOfGraph.end();
+}
+
 }  // namespace
 
-std::vector<Finding> invalidities(const Sides& sides) {
+std::vector<Finding> invalidities(const Sides& sides, Compared compared) {
   std::vector<Finding> findings;
   for (const Violation& violation : validate(sides[Float]))
-    findings.push_back(to_finding(sides, violation));
+    if (compared == Compared::All || is_of_graph(violation.invariant))
+      findings.push_back(to_finding(sides, violation));
   return findings;
 }
 

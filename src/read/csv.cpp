@@ -80,8 +80,8 @@ Columns columns_of(const std::vector<CsvField>& header) {
 
 class CsvReader {
  public:
-  explicit CsvReader(ByteStream& bytes)
-      : file_(bytes.file()), records_(bytes), table_(bytes.file()) {}
+  CsvReader(ByteStream& bytes, Geometries* geometries)
+      : file_(bytes.file()), records_(bytes), table_(bytes.file(), geometries) {}
 
   Structure read() && {
     if (!records_.next()) return std::move(table_).finish();
@@ -189,7 +189,9 @@ class CsvReader {
 
 }  // namespace
 
-Structure read_csv(ByteStream& bytes) { return CsvReader(bytes).read(); }
+Structure read_csv(ByteStream& bytes, Geometries* geometries) {
+  return CsvReader(bytes, geometries).read();
+}
 
 Structure read_csv(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});

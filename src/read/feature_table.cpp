@@ -1,6 +1,7 @@
 #include "read/feature_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "read/byte_stream.hpp"
@@ -22,9 +23,17 @@ std::string line_of(std::string_view id) {
   return id.size() <= kMaxPathText ? line : line + "...";
 }
 
+std::vector<PointD> rounded(const Polylines& lines, std::size_t begin, std::size_t end) {
+  std::vector<PointD> result;
+  result.reserve(end - begin);
+  for (std::size_t i = begin; i < end; ++i) result.push_back(nearest(lines.points[i]));
+  return result;
+}
+
 }  // namespace
 
-FeatureTable::FeatureTable(const std::string& file_name) : files_{file_name} {}
+FeatureTable::FeatureTable(const std::string& file_name, Geometries* geometries)
+    : geometries_(geometries), files_{file_name} {}
 
 void FeatureTable::begin_feature() {
   for (auto table = open_.begin(); table != open_.end();) {
@@ -68,7 +77,42 @@ void FeatureTable::add_row(Model& model, const Place& place, std::size_t segment
   model.rows.push_back({place.line, place.column, static_cast<std::uint32_t>(segment_count), 0});
 }
 
+/// Whether all points are doubles; if not, the element is refused.
+bool FeatureTable::is_kept(std::string_view element, const Place& place, const Polylines& lines) {
+  for (const NumberPoint& p : lines.points) {
+    const PointD q = nearest(p);
+    if (std::isfinite(q.x) && std::isfinite(q.y)) continue;
+    refuse(element, place, "a coordinate is beyond the largest double", {});
+    return false;
+  }
+  return true;
+}
+
+void FeatureTable::keep_lines(const Polylines& lines) {
+  std::size_t begin = 0;
+  for (const std::size_t end : lines.ends) {
+    geometries_->lines.push_back(rounded(lines, begin, end));
+    begin = end;
+  }
+}
+
+void FeatureTable::keep_polygons(const Polylines& rings) {
+  std::size_t ring = 0, begin = 0;
+  for (const std::size_t polygon_end : rings.polygon_ends) {
+    Geometries::Polygon& polygon = geometries_->polygons.emplace_back();
+    for (; ring < polygon_end; ++ring) {
+      polygon.rings.push_back(rounded(rings, begin, rings.ends[ring]));
+      begin = rings.ends[ring];
+    }
+  }
+}
+
 void FeatureTable::add_lines(std::string_view element, const Place& place, const Polylines& lines) {
+  if (geometries_ != nullptr) {
+    if (lines.points.empty()) refuse(element, place, "has no points", {});
+    if (is_kept(element, place, lines)) keep_lines(lines);
+    return;
+  }
   Model& model = table(element).model;
   const std::size_t before = model.segments.size();
   std::size_t single_points = 0;
@@ -94,15 +138,25 @@ void FeatureTable::add_rings(std::string_view element, const Place& place, const
     if (end - begin > 1 && rings.points[begin] != rings.points[end - 1]) ++open_rings;
     begin = end;
   }
+  const bool are_faces = geometries_ != nullptr && !rings.polygon_ends.empty();
   if (open_rings > 0) {
-    refuse(element, place, "ring is not closed; it is drawn as it is",
+    refuse(element, place,
+           are_faces ? "ring is not closed; it is taken as closed"
+                     : "ring is not closed; it is drawn as it is",
            count_of(open_rings, "ring"));
   }
-  add_lines(element, place, rings);
+  if (!are_faces) return add_lines(element, place, rings);
+  if (is_kept(element, place, rings)) keep_polygons(rings);
 }
 
 void FeatureTable::add_segment(std::string_view element, const Place& place, NumberPoint a,
                                NumberPoint b) {
+  if (geometries_ != nullptr) {
+    Polylines line;
+    line.points = {std::move(a), std::move(b)};
+    line.end_line();
+    return add_lines(element, place, line);
+  }
   Model& model = table(element).model;
   model.segments.push_back(std::move(a), std::move(b));
   add_row(model, place, 1);

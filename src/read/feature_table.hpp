@@ -8,6 +8,7 @@
 
 #include "plumbline/error.hpp"
 #include "plumbline/structure.hpp"
+#include "read/geometries.hpp"
 #include "read/rejections.hpp"
 
 namespace plumbline {
@@ -15,21 +16,26 @@ namespace plumbline {
 /// The lines of one geometry: successive points up to each end are joined.
 struct Polylines {
   std::vector<NumberPoint> points;
-  std::vector<std::size_t> ends;  ///< of each line, an index into `points`, ascending
+  std::vector<std::size_t> ends;          ///< of each line, an index into `points`, ascending
+  std::vector<std::size_t> polygon_ends;  ///< of each polygon, an index into `ends`, ascending
 
   void clear() {
     points.clear();
     ends.clear();
+    polygon_ends.clear();
   }
   /// Ends a line here.
   void end_line() { ends.push_back(points.size()); }
+  /// Ends a polygon, of all rings since the one before it.
+  void end_polygon() { polygon_ends.push_back(ends.size()); }
 };
 
 /// Collects the elements of a drawing without hierarchy into tables, one for each kind of element.
 /// 80 bytes for each element of one segment, and its id.
 class FeatureTable {
  public:
-  explicit FeatureTable(const std::string& file_name);
+  /// Lines and rings go to `geometries` instead, where there are some.
+  explicit FeatureTable(const std::string& file_name, Geometries* geometries = nullptr);
 
   /// What is added from here on belongs to one feature.
   void begin_feature();
@@ -61,9 +67,13 @@ class FeatureTable {
   };
 
   Table& table(std::string_view element);
+  bool is_kept(std::string_view element, const Place& place, const Polylines& lines);
+  void keep_lines(const Polylines& lines);
+  void keep_polygons(const Polylines& rings);
   static void add_row(Model& model, const Place& place, std::size_t segment_count);
   static Source source_of(std::string_view element, const Place& place);
 
+  Geometries* geometries_;
   std::vector<std::string> files_;
   std::vector<Table> open_;
   std::vector<Model> full_;

@@ -83,7 +83,8 @@ struct Level {
 
 class GeoJsonReader {
  public:
-  GeoJsonReader(ByteStream& bytes) : bytes_(bytes), table_(bytes.file()) {}
+  GeoJsonReader(ByteStream& bytes, Geometries* geometries)
+      : bytes_(bytes), table_(bytes.file(), geometries) {}
 
   Structure read() && {
     parse_json(bytes_, *this);
@@ -335,7 +336,9 @@ class GeoJsonReader {
 
 }  // namespace
 
-Structure read_geojson(ByteStream& bytes) { return GeoJsonReader(bytes).read(); }
+Structure read_geojson(ByteStream& bytes, Geometries* geometries) {
+  return GeoJsonReader(bytes, geometries).read();
+}
 
 Structure read_geojson(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});

@@ -27,6 +27,8 @@ bool GeoJsonCoordinates::close_array() {
     close_position();
   } else if (position_depth_ != 0 && depth_ + 1 == position_depth_) {
     if (lines_.points.size() > (lines_.ends.empty() ? 0 : lines_.ends.back())) lines_.end_line();
+  } else if (position_depth_ != 0 && depth_ + 2 == position_depth_) {
+    lines_.end_polygon();
   } else if (position_depth_ == 0 || depth_ >= position_depth_) {
     empty_depth_ = std::max(empty_depth_, depth_);
   }

@@ -11,7 +11,7 @@
 namespace plumbline {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, JsonKind>, 10> kTelling = {
+constexpr std::array<std::pair<std::string_view, JsonKind>, 12> kTelling = {
     {{"features", JsonKind::GeoJson},
      {"geometry", JsonKind::GeoJson},
      {"geometries", JsonKind::GeoJson},
@@ -21,17 +21,17 @@ constexpr std::array<std::pair<std::string_view, JsonKind>, 10> kTelling = {
      {"FV", JsonKind::Lar},
      {"lines", JsonKind::Lar},
      {"root", JsonKind::Struct},
-     {"defs", JsonKind::Struct}}};
+     {"defs", JsonKind::Struct},
+     {"signature", JsonKind::Arrangement},
+     {"outputs", JsonKind::LarTrace}}};
 
 /// Formats that are not read.
-constexpr std::array<std::pair<std::string_view, const char*>, 7> kForeign = {
+constexpr std::array<std::pair<std::string_view, const char*>, 5> kForeign = {
     {{"arcs", "TopoJSON"},
      {"stories", "floorspace.js"},
      {"layers", "react-planner"},
      {"subjPaths", "iOverlay"},
-     {"fillRule", "iOverlay"},
-     {"signature", "a result of this program"},
-     {"outputs", "a result of this program"}}};
+     {"fillRule", "iOverlay"}}};
 
 template <class Names>
 auto find(const Names& names, std::string_view name) {

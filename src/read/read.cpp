@@ -4,6 +4,7 @@
 
 #include "plumbline/error.hpp"
 #include "read/gzip.hpp"
+#include "read/input_file.hpp"
 #include "read/json_kind.hpp"
 #include "read/streams.hpp"
 
@@ -12,43 +13,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(ErrorCode code, const std::string& why, const fs::path& file) {
-  throw Error(code, why, {file.string(), 0, 0});
-}
-
-void check_is_file(const fs::path& file) {
-  std::error_code status;
-  const fs::file_status kind = fs::status(file, status);
-  if (!fs::exists(kind)) fail(ErrorCode::BadFile, "no such file", file);
-  if (fs::is_directory(kind)) fail(ErrorCode::BadFile, "is a directory", file);
-  if (!fs::is_regular_file(kind)) fail(ErrorCode::BadFile, "is not a regular file", file);
-}
-
-std::uintmax_t checked_size(const fs::path& file, std::uintmax_t most) {
-  std::error_code status;
-  const std::uintmax_t size = fs::file_size(file, status);
-  if (status) fail(ErrorCode::BadFile, "cannot be read", file);
-  if (size > most) {
-    fail(ErrorCode::Limit, "is larger than " + std::to_string(most) + " bytes", file);
-  }
-  return size;
-}
-
 std::string content(const fs::path& file) {
   const std::uintmax_t size = checked_size(file, kMaxFileSize);
   std::ifstream stream(file, std::ios::binary);
   std::string text(size, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(size));
-  if (!stream) fail(ErrorCode::BadFile, "cannot be read", file);
+  if (!stream) throw Error(ErrorCode::BadFile, "cannot be read", {file.string(), 0, 0});
   return text;
 }
 
-using StreamReader = Structure (*)(ByteStream&);
+using FeatureReader = Structure (*)(ByteStream&, Geometries*);
 
-Structure read_streamed(const fs::path& file, StreamReader reader) {
+Structure read_streamed(const fs::path& file, FeatureReader reader) {
   checked_size(file, kMaxStreamedFileSize);
   ByteStream bytes(file);
-  return reader(bytes);
+  return reader(bytes, nullptr);
 }
 
 Structure read_json(const fs::path& file, const ReadOptions& options) {
@@ -57,21 +36,21 @@ Structure read_json(const fs::path& file, const ReadOptions& options) {
   switch (json_kind(beginning)) {
     case JsonKind::GeoJson:
       return read_streamed(file, read_geojson);
-    case JsonKind::Lar:
-      return read_streamed(file, read_lar_json);
-    case JsonKind::Struct:
+    case JsonKind::Lar: {
+      ByteStream bytes(file);
+      return read_lar_json(bytes);
+    }
+    case JsonKind::Struct: {
+      ByteStream bytes(file);
+      return read_struct_json(bytes, options);
+    }
+    case JsonKind::Arrangement:
+    case JsonKind::LarTrace:
       break;
   }
-  ByteStream bytes(file);
-  return read_struct_json(bytes, options);
-}
-
-std::string lower_case_ending(const fs::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return ending;
+  throw Error(ErrorCode::BadInput,
+              "JSON of a format that is no drawing: a result of this program (see check --against)",
+              {file.string(), 0, 0});
 }
 
 Structure read_svgz(const fs::path& file, const ReadOptions& options) {

@@ -191,6 +191,7 @@ class WkbReader {
     if (header.kind == kPoint) return read_line(header, 1);
     const std::uint32_t lines = header.kind == kLineString ? 1 : count();
     for (std::uint32_t i = 0; i < lines; ++i) read_line(header, count());
+    if (header.kind != kLineString) lines_.end_polygon();
   }
 
   void read_line(const Header& header, std::uint32_t point_count) {
@@ -254,8 +255,8 @@ void read_hex_wkb_geometry(ByteStream& bytes, FeatureTable& table) {
   WkbReader(Bytes(bytes, true), table).read_geometry();
 }
 
-Structure read_wkb(ByteStream& bytes) {
-  FeatureTable table(bytes.file());
+Structure read_wkb(ByteStream& bytes, Geometries* geometries) {
+  FeatureTable table(bytes.file(), geometries);
   const bool is_hex = bytes.peek() > '\1';  // bytes begin with their order, 0 or 1
   std::uint64_t number = 0;
   for (;;) {

@@ -199,6 +199,7 @@ class WktReader {
 
   void close_list(const Type& type, std::size_t depth) {
     if (depth == type.depth) lines_.end_line();
+    if (depth + 1 == type.depth) lines_.end_polygon();
   }
 
   void read_item(const Type& type, std::size_t depth) {
@@ -290,8 +291,8 @@ void read_wkt_geometry(ByteStream& bytes, FeatureTable& table, Numbers& numbers)
   WktReader(bytes, table, numbers).read_geometry();
 }
 
-Structure read_wkt(ByteStream& bytes) {
-  FeatureTable table(bytes.file());
+Structure read_wkt(ByteStream& bytes, Geometries* geometries) {
+  FeatureTable table(bytes.file(), geometries);
   Numbers numbers;
   WktReader reader(bytes, table, numbers);
   for (skip_to_geometry(bytes); !bytes.at_end(); skip_to_geometry(bytes)) {
