@@ -174,10 +174,30 @@ void check_components(const ExactComplex& c, Violations& violations) {
                   {}});
 }
 
+/// Depths are found anew by going outwards from each face. Faces that lie in each other in a circle
+/// have depth 0 (and one of them breaks Nesting).
 void check_depths(const ExactComplex& c, Violations& violations) {
+  constexpr std::uint32_t kOpen = 0xffffffffU;
+  std::vector<std::uint32_t> depth(c.face_count(), kOpen);
+  depth[kUnbounded] = 0;
+  std::vector<bool> is_in_circle(c.face_count());
+  std::vector<FaceId> way;
+  for (std::size_t i = 0; i < c.face_count(); ++i) {
+    way.clear();
+    FaceId f(i);
+    for (; depth[f] == kOpen; f = c.parent(f)) {
+      depth[f] = 0;  // where the way comes back to it
+      is_in_circle[f] = true;
+      way.push_back(f);
+    }
+    for (; !way.empty(); way.pop_back()) {
+      const FaceId inner = way.back(), outer = c.parent(inner);
+      is_in_circle[inner] = is_in_circle[outer];
+      depth[inner] = is_in_circle[inner] ? 0 : depth[outer] + 1;
+    }
+  }
   for (std::size_t f = 0; f < c.face_count(); ++f) {
-    const std::uint32_t expected = f == kUnbounded ? 0 : c.face_depth[c.parent(FaceId(f))] + 1;
-    if (c.face_depth[f] == expected) continue;
+    if (c.face_depth[f] == depth[f]) continue;
     violations.add(
         {Invariant::Derived,
          "a face is not one deeper than the face around it",

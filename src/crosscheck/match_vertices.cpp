@@ -31,9 +31,25 @@ void match(VertexMatch& result, VertexId exact_vertex, VertexId float_vertex) {
   result.match[Float][float_vertex] = exact_vertex;
 }
 
+/// Matches equal vertices: nothing is nearer. Both lists are ascending.
+void match_equal(VertexMatch& result, const Sides& sides) {
+  const FilteredPoints &exacts = sides.points[Exact], &floats = sides.points[Float];
+  for (std::size_t v = 0, w = 0; v < exacts.size() && w < floats.size();) {
+    const PointD &p = exacts.rough(v), &q = floats.rough(w);
+    if (p.x != q.x) {
+      ++(p.x < q.x ? v : w);
+    } else if (exacts[v] == floats[w]) {
+      match(result, VertexId(v++), VertexId(w++));
+    } else {
+      ++(exacts[v] < floats[w] ? v : w);
+    }
+  }
+}
+
 /// Matches the vertices that have no choice; returns whether each exact vertex is done with.
 std::vector<bool> match_sole_pairs(VertexMatch& result, const Sides& sides) {
   std::vector<bool> is_done(sides[Exact].vertices.size());
+  for (std::size_t v = 0; v < is_done.size(); ++v) is_done[v] = result.match[Exact][v].valid();
   const double slack = distance_slack(sides.points[Exact], sides.points[Float]);
   double farthest = 0;
   const auto exact_distance = [&](const SolePair& pair) {
@@ -42,6 +58,7 @@ std::vector<bool> match_sole_pairs(VertexMatch& result, const Sides& sides) {
   std::vector<SolePair> pairs =
       sole_pairs(sides.points[Exact], sides.points[Float], sides.tolerance);
   std::erase_if(pairs, [&](const SolePair& pair) {
+    if (is_done[pair.exact]) return true;
     is_done[pair.exact] = true;
     const bool is_certain = pair.distance + 2 * slack < sides.tolerance;
     if (!is_certain && exact_distance(pair) > sides.squared_tolerance) return true;
@@ -74,6 +91,7 @@ std::vector<Candidate> candidates_nearest_first(const Sides& sides, const NearVe
 
 VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
   VertexMatch result = nothing_matched(sides);
+  match_equal(result, sides);
   const std::vector<bool> is_done = match_sole_pairs(result, sides);
   for (const Candidate& candidate : candidates_nearest_first(sides, floats, is_done)) {
     const VertexId v = candidate.exact_vertex, w = candidate.near.vertex;

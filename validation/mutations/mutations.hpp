@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mutations/parts.hpp"
+#include "plumbline/crosscheck.hpp"
+
+/// Ways to break a right result, each with what the cross-check must call it.
+namespace plumbline::mutations {
+
+/// The name that a finding must bear.
+struct Name {
+  CellKind kind;
+  Disagreement disagreement;
+  std::optional<Invariant> invariant = {};
+
+  friend bool operator==(const Name&, const Name&) = default;
+};
+/// Of Invalid, the kind does not matter: an invariant has one name.
+Name broken(Invariant invariant);
+std::string to_text(const Name& name);
+bool bears(const Finding& finding, const Name& name);
+
+/// A broken result: the cross-check with the right one must give a finding of each name in the box
+/// around the places.
+struct Broken {
+  ExactComplex complex;
+  double tolerance = 0;
+  std::vector<Name> names;
+  std::vector<Point> places;
+};
+
+struct Mutation {
+  const char* name;
+  /// Nothing where the result has no cell that can be broken in this way.
+  std::optional<Broken> (*apply)(Right& right);
+};
+
+/// Results that are valid complexes, of other drawings.
+const std::vector<Mutation>& of_drawings();
+/// Vertices in other places, the incidences being as they were.
+const std::vector<Mutation>& of_places();
+/// Incidences that are wrong, the vertices being where they were.
+const std::vector<Mutation>& of_incidences();
+/// All of them.
+std::vector<Mutation> all();
+
+/// What is wrong with the cross-check of this mutation, empty if nothing: an expected finding that
+/// is not there, or not in its place.
+std::string miss(const ExactComplex& right, const Broken& broken);
+/// What is wrong with the cross-check of a right result, its nearest doubles and itself: any
+/// finding.
+std::string false_alarm(const ExactComplex& right);
+
+}  // namespace plumbline::mutations
