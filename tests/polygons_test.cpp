@@ -134,7 +134,10 @@ TEST_CASE("polygons: faces that overlap both keep the halfedges that they share"
   const CellLists cells{points, {}, {{ring({0, 1, 2, 3})}, {ring({0, 1, 2, 4, 3})}}};
   const FloatComplex c = complex_from_faces(cells);
   CHECK(c.face_count() == 3);
-  CHECK(is_broken(c, Invariant::HalfedgeInCycle));
+  const std::vector<Violation> violations = validate(exact(c));
+  REQUIRE(violations.front().invariant == Invariant::HalfedgeInCycle);
+  CHECK(violations.front().message == "3 halfedges are in 2 cycles of faces, not in one");
+  CHECK(violations.front().faces == std::vector{FaceId(1), FaceId(2)});
 }
 
 TEST_CASE("polygons: repeated vertices, repeated edges and crossing edges stay") {

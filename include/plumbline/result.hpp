@@ -29,7 +29,8 @@ struct ForeignResult {
 /// - `.wkt`, `.wkb`, `.csv`: the same in well-known text or binary, as `read` takes them.
 /// - `.json`: a LAR model, {V, EV}, {V, FV} or {V, FV, EV}, the list [V, EV], [V, FV] or
 ///   [V, FV, EV], with `polygons` (per face its outer boundary and its holes) in place of FV where
-///   they are there. Vertices with the same coordinates are several, EV lists all edges. A cell of
+///   they are there. Vertices with the same coordinates are several, EV lists all edges,
+///   one of a single vertex joins it to itself. A cell of
 ///   FV is a cycle of vertices; or, where EV does not join them in this order, the set of vertices
 ///   of the cycles that EV has among them. Indices count from `index_base`; without it from 0, or
 ///   from 1 where that alone fits (some index is the number of vertices, none is 0).

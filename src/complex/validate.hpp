@@ -21,6 +21,9 @@ class Violations {
 /// Invariants of the incidences alone: Index, HalfedgeInCycle, CycleClosed, BoundaryOfBoundary,
 /// Euler.
 void validate_incidences(const ExactComplex& complex, Violations& violations);
+/// Of these: which face claims which halfedge, and that the derived members say the same. Requires:
+/// indices in range.
+void validate_claims(const ExactComplex& complex, Violations& violations);
 /// Invariants of the graph in the plane: DuplicateVertex, DuplicateEdge, VertexOnEdge, Crossing.
 void validate_graph(const ExactComplex& complex, Violations& violations);
 /// Invariants of the faces in the plane: Orientation, CyclicOrder, Area.

@@ -43,37 +43,6 @@ void check_indices(const ExactComplex& c, Violations& violations) {
   if (!good) violations.add({Invariant::Index, "an index is out of range", {}, {}, {}, {}});
 }
 
-void check_halfedges(const ExactComplex& c, Violations& violations) {
-  std::vector<std::size_t> times(2 * c.edge_count(), 0);
-  for (std::size_t i = 0; i < c.cycles.size(); ++i) {
-    for (const HalfedgeId h : c.cycles[i]) times[h] += c.cycle_face[i].valid() ? 1 : 0;
-  }
-  std::vector<bool> is_reported(times.size());
-  for (std::size_t i = 0; i < c.cycles.size(); ++i) {
-    if (c.cycle_face[i].valid()) continue;
-    std::vector<EdgeId> edges;
-    for (const HalfedgeId h : c.cycles[i]) {
-      edges.push_back(edge_of(h));
-      is_reported[h] = times[h] == 0;
-    }
-    violations.add({Invariant::HalfedgeInCycle,
-                    "a cycle belongs to no face",
-                    c.vertices[c.origin(c.cycles[i].front())],
-                    {},
-                    std::move(edges),
-                    {}});
-  }
-  for (std::size_t h = 0; h < times.size(); ++h) {
-    if (times[h] == 1 || is_reported[h]) continue;
-    violations.add({Invariant::HalfedgeInCycle,
-                    "a halfedge is in " + std::to_string(times[h]) + " cycles of faces, not in one",
-                    c.vertices[c.origin(HalfedgeId(h))],
-                    {},
-                    {edge_of(HalfedgeId(h))},
-                    {}});
-  }
-}
-
 void check_cycles(const ExactComplex& c, Violations& violations) {
   for (std::size_t i = 0; i < c.cycles.size(); ++i) {
     const auto cycle = c.cycles[i];
@@ -87,29 +56,6 @@ void check_cycles(const ExactComplex& c, Violations& violations) {
                       {edge_of(h), edge_of(next)},
                       {c.cycle_face[i]}});
     }
-  }
-}
-
-/// Faces of cycles and halfedges are what `face_outer`, `face_holes` and `cycles` say; no member
-/// beyond.
-void check_faces_of_cycles(const ExactComplex& c, Violations& violations) {
-  std::vector<FaceId> expected(c.cycles.size());
-  for (std::size_t f = 0; f < c.face_count(); ++f) {
-    if (c.face_outer[f].valid()) expected[c.face_outer[f]] = FaceId(f);
-    for (const CycleId hole : c.face_holes[f]) expected[hole] = FaceId(f);
-  }
-  for (std::size_t i = 0; i < c.cycles.size(); ++i) {
-    const auto cycle = c.cycles[i];
-    const bool same = c.cycle_face[i] == expected[i] &&
-                      std::all_of(cycle.begin(), cycle.end(),
-                                  [&](HalfedgeId h) { return c.halfedge_face[h] == expected[i]; });
-    if (same) continue;
-    violations.add({Invariant::Derived,
-                    "a cycle or one of its halfedges names another face than its own",
-                    c.vertices[c.origin(cycle.front())],
-                    {},
-                    {edge_of(cycle.front())},
-                    {expected[i]}});
   }
 }
 
@@ -256,9 +202,8 @@ void check_euler(const ExactComplex& c, Violations& violations) {
 void validate_incidences(const ExactComplex& complex, Violations& violations) {
   check_indices(complex, violations);
   if (violations.has(Invariant::Index)) return;
-  check_halfedges(complex, violations);
+  validate_claims(complex, violations);
   check_cycles(complex, violations);
-  check_faces_of_cycles(complex, violations);
   check_components(complex, violations);
   check_depths(complex, violations);
   check_boundary_of_boundary(complex, violations);

@@ -180,7 +180,8 @@ void LarResult::read_edges() {
   neighbours_.resize(cells_.vertices.size());
   if (!members_.edges) return;
   for (JsonValue pair = members_.edges->first(); pair; pair = pair.next()) {
-    const Cell ends = cell(pair);
+    Cell ends = cell(pair);
+    if (ends.size() == 1) ends.push_back(ends.front());  // an edge that collapsed
     if (ends.size() != 2) {
       pair.fail("not LAR: edge of " + std::to_string(ends.size()) + " vertices");
     }
