@@ -49,7 +49,7 @@ class Definition {
     auto last = counts(0);
     for (const Rational& radius : radii) {
       const auto now = counts(radius);
-      if (now == last) continue;
+      if (now == last && !ladder.steps.empty()) continue;
       last = now;
       LadderStep step;
       step.squared_radius = radius;
@@ -180,6 +180,11 @@ TEST_CASE("an edge is not led through a vertex that is no nearer to its ends tha
   // The equilateral triangle's height is less than its side, but no side becomes shorter.
   CHECK(ladder_of("0 0 4 0  2 3 2 100") == "4 2 1; 9: 4 3 1; 13: 2 1 1; 9409: 1 0 1");
   CHECK(ladder_of("0 0 4 0  2 4 2 100") == "4 2 1; 16: 3 1 1; 20: 2 1 1; 9216: 1 0 1");
+}
+
+TEST_CASE("the first step is the first change, even if no number changes") {
+  // Two edges from one point: one is led through the end of the other, which leaves two edges.
+  CHECK(ladder_of("0 0 8 0  0 0 4 1") == "3 2 1; 1: 3 2 1; 17: 1 0 1");
 }
 
 TEST_CASE("components join where they come together") {

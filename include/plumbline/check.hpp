@@ -22,7 +22,9 @@ struct Check {
   std::optional<double> radius;  ///< of the float pipeline; none for a result from a file
   Crosscheck crosscheck;         ///< of the float result with the exact complex
   Crosscheck conversion;         ///< of the complex over the doubles with the exact complex
-  std::optional<ToleranceLadder> ladder;
+  // Filled in by `advised`.
+  std::optional<FeatureSize> feature_size;  ///< of the exact complex
+  std::optional<ToleranceLadder> ladder;    ///< of the exact complex
   std::optional<RightRadii> right_radii;
 
   /// The verdict: the float result is right. (What the doubles alone would give is no part of it.)
@@ -56,5 +58,24 @@ Check check_against(SegmentSet input, ExactComplex exact_complex, ForeignResult 
 /// small angles, a drawing away from the origin and sums of errors multiply it. A factor of a
 /// million is left for them, while gaps that someone drew are larger.
 inline constexpr double kForeignTolerance = 1e-9;
+
+/// How to give advice.
+struct AdviceOptions {
+  LadderOptions ladder;
+  std::size_t max_runs = 12;  ///< of the float pipeline; 0: right radii are not looked for
+  std::size_t threads = 0;    ///< 0: as many as there are cores; does not change the result
+  /// Told before each run which part of them is done (from 0 to 1); the work ends with Error
+  /// Cancelled where it returns false.
+  std::function<bool(double)> progress;
+};
+
+/// The check, with advice: the smallest exact features, the tolerance ladder, and, where the result
+/// is that of our float pipeline, the radii for which `lar::arrange` gives the exact complex
+/// (`crosscheck` agrees, its tolerance the radius). Tried are the least radius there is, radii a
+/// percent below and above critical ones of the ladder, and, by bisection to one percent, where
+/// right ones end. Degenerate: a drawing without edges has no features. Cost: that of
+/// `tolerance_ladder`, and `max_runs` of `lar::arrange` and, where the numbers of cells are right,
+/// `crosscheck`. Throws: as these; Cancelled.
+Check advised(Check check, const AdviceOptions& options = {});
 
 }  // namespace plumbline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -9,7 +10,7 @@
 namespace plumbline {
 
 /// A critical radius: from it on (it included) merging within the radius gives other numbers of
-/// cells.
+/// cells; the first one gives another graph, though its numbers may be the same.
 struct LadderStep {
   Rational squared_radius;                         ///< exact
   std::size_t vertices = 0, edges = 0, faces = 0;  ///< from here on; faces with the unbounded one
@@ -55,10 +56,23 @@ struct LadderOptions {
 /// Throws: Error BadInput for a largest radius that is negative or not a number.
 ToleranceLadder tolerance_ladder(const ExactComplex& complex, const LadderOptions& options = {});
 
-/// The radii for which the float pipeline's result is right, as far as they were tried.
+/// A radius that the float pipeline was run with.
+struct TriedRadius {
+  double radius = 0;
+  bool is_right = false;  ///< whether its result agreed with the exact complex
+};
+
+/// The radii for which the float pipeline's result is right, as far as they were tried: every tried
+/// radius from `least` to `largest` gave the exact complex; the tried ones next to them, if there
+/// are any, did not. Between tried radii nothing is known.
 struct RightRadii {
-  double least = 0;
-  double largest = 0;
+  double least = 0, largest = 0;
+  std::vector<TriedRadius> tried;  ///< ascending
+
+  /// Whether none of them was right; `least` and `largest` mean nothing then.
+  bool empty() const {
+    return std::none_of(tried.begin(), tried.end(), [](const auto& t) { return t.is_right; });
+  }
 };
 
 }  // namespace plumbline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "plumbline/check.hpp"
@@ -20,5 +21,13 @@ std::string report_html(const Check& check);
 /// place as a Point (null for kind Complex) in the drawing's own coordinates. Documented in
 /// docs/json.md.
 std::string report_geojson(const Check& check);
+
+/// A tolerance ladder for a terminal: a table of its first `limit` steps. Requires: the ladder of
+/// this complex.
+std::string ladder_text(const ToleranceLadder& ladder, const ExactComplex& complex,
+                        std::size_t limit = 20);
+/// The same as a picture: vertices, edges and faces over the logarithm of the radius; radii for
+/// which the float result is right in green.
+std::string ladder_svg(const ToleranceLadder& ladder, const std::optional<RightRadii>& radii = {});
 
 }  // namespace plumbline

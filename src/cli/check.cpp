@@ -22,18 +22,39 @@ Check compare(const CheckArguments& arguments) {
                  : check(std::move(drawing.input), std::move(drawing.complex), options);
 }
 
+// Advice runs the pipeline a dozen times: unasked only where that takes a few seconds.
+constexpr std::size_t kMostEdgesForAdvice = 20'000;
+
+/// The tolerance ladder where it is shown, right radii where they are asked for or cheap.
+Check with_advice(Check result, const CheckArguments& arguments) {
+  const bool is_small = result.exact_complex.edge_count() <= kMostEdgesForAdvice;
+  const bool wants_radii = arguments.advice.value_or(is_small);
+  if (!wants_radii && !arguments.plot && !arguments.report) return result;
+  Progress progress("looking for critical and right radii");
+  AdviceOptions options;
+  if (!wants_radii) options.max_runs = 0;
+  options.threads = arguments.threads;
+  options.progress = [&](double part) {
+    progress.tell(part);
+    return true;
+  };
+  return advised(std::move(result), options);
+}
+
 }  // namespace
 
 ExitCode run(const CheckArguments& arguments) {
   check_outputs(arguments.file, {{arguments.output, {".json"}},
                                  {arguments.picture, {".svg"}},
                                  {arguments.report, {".html"}},
+                                 {arguments.plot, {".svg"}},
                                  {arguments.findings, {".geojson", ".json"}}});
-  const Check result = compare(arguments);
+  const Check result = with_advice(compare(arguments), arguments);
   if (arguments.output) write_file(*arguments.output, report_json(result));
   if (arguments.picture) write_file(*arguments.picture, report_svg(result));
   if (arguments.report) write_file(*arguments.report, report_html(result));
   if (arguments.findings) write_file(*arguments.findings, report_geojson(result));
+  if (arguments.plot) write_file(*arguments.plot, ladder_svg(*result.ladder, result.right_radii));
   fmt::print("{}", report_text(result));
   return result.agree() ? kAgree : kDisagree;
 }

@@ -38,9 +38,14 @@ struct CheckArguments : DrawingArguments {
   std::optional<std::string> picture;
   std::optional<std::string> report;
   std::optional<std::string> findings;
+  std::optional<bool> advice;  ///< by default for small drawings, and for a plot
+  std::optional<std::string> plot;
 };
 
-struct InfoArguments : DrawingArguments {};
+struct InfoArguments : DrawingArguments {
+  bool ladder = false;
+  std::optional<std::string> plot;
+};
 
 struct LarArguments : InputArguments {
   bool is_published = false;

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
+#include "cli/outputs.hpp"
 #include "cli/print.hpp"
 
 namespace plumbline::cli {
@@ -70,9 +71,16 @@ void print_features(const ExactComplex& complex) {
              distance(size.squared_vertex_edge), at(size.vertex), at(edge.tail), at(edge.head));
 }
 
+void print_ladder(const ExactComplex& complex, const std::optional<std::string>& plot) {
+  const ToleranceLadder ladder = tolerance_ladder(complex);
+  fmt::print("{}", ladder_text(ladder, complex));
+  if (plot) write_file(*plot, ladder_svg(ladder));
+}
+
 }  // namespace
 
 ExitCode run(const InfoArguments& arguments) {
+  check_outputs(arguments.file, {{arguments.plot, {".svg"}}});
   const Drawing drawing = load(arguments);
   fmt::print("drawing      {}: {} elements, {} segments, {} rejected\n", arguments.file,
              drawing.input.sources.size(), drawing.input.segments.size(),
@@ -84,6 +92,7 @@ ExitCode run(const InfoArguments& arguments) {
   fmt::print("arrangement  {}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
   print_features(drawing.complex);
   fmt::print("signature    {}\n", signature(drawing.complex));
+  if (arguments.ladder || arguments.plot) print_ladder(drawing.complex, arguments.plot);
   return kAgree;
 }
 

@@ -60,6 +60,25 @@ void add_threads(CLI::App& command, std::size_t& threads) {
       ->type_name("N");
 }
 
+void add_plot(CLI::App& command, std::optional<std::string>& plot) {
+  command
+      .add_option("--plot", plot,
+                  "Plot the numbers of vertices, edges and faces over the radius to an SVG file")
+      ->type_name("FILE");
+}
+
+void add_advice(CLI::App& command, CheckArguments& arguments) {
+  CLI::Option* advice = command.add_flag_callback(
+      "--advice", [&] { arguments.advice = true; },
+      "Look for the radii that float LAR is right with: a dozen more runs [default: for up to "
+      "20,000 edges]");
+  command
+      .add_flag_callback(
+          "--no-advice", [&] { arguments.advice = false; }, "Do not, even for small drawings")
+      ->excludes(advice);
+  add_plot(command, arguments.plot);
+}
+
 template <class Arguments>
 CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
                       const char* description, const char* examples, ExitCode& exit_code) {
@@ -214,6 +233,7 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
       .add_option("--findings", arguments.findings,
                   "Write the findings as points to a GeoJSON file, for QGIS and OGR")
       ->type_name("FILE");
+  add_advice(command, arguments);
 }
 
 /// CLI11 would only say that a command is required.
@@ -250,8 +270,13 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_check_options(*command, check);
 
   InfoArguments info;
-  add_command(app, info, "info", "What a drawing holds: counts, extent, repetitions, feature size",
-              "Example: plumbline info plan.svg", exit_code);
+  command = add_command(app, info, "info",
+                        "What a drawing holds: counts, extent, repetitions, feature size",
+                        "Example: plumbline info plan.svg --ladder --plot ladder.svg", exit_code);
+  command->add_flag("--ladder", info.ladder,
+                    "The tolerance ladder: at which radii merging within the radius would give "
+                    "other numbers of vertices, edges or faces");
+  add_plot(*command, info.plot);
 
   LarArguments lar;
   add_lar_command(app, lar, exit_code);

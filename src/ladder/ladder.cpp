@@ -1,5 +1,5 @@
 // Pairs come window by window, ascending; those that are equally near are applied to the quotient
-// together, and make a step if its counts change.
+// together, and make a step if its counts change, or are the first.
 
 #include "plumbline/ladder.hpp"
 
@@ -60,7 +60,8 @@ class Climb {
     }
   }
 
-  /// Applies pairs that are equally near; the first one that changes the counts gives its name.
+  /// Applies pairs that are equally near. The first one that changes the counts gives its name to
+  /// the step; the first pairs of all change the graph in any case.
   template <class Iterator>
   void apply(Iterator first, Iterator last) {
     const auto before = counts();
@@ -72,7 +73,10 @@ class Climb {
         quotient_.merge(pair->vertex, pair->other_vertex);
       if (named == last && counts() != before) named = pair;
     }
-    if (counts() == before) return;
+    if (counts() == before) {
+      if (!ladder_.steps.empty()) return;
+      named = first;
+    }
     ladder_.steps.push_back({named->squared_distance, quotient_.vertex_count(),
                              quotient_.edge_count(), quotient_.face_count(), named->vertex,
                              named->other_vertex, named->edge});

@@ -196,14 +196,58 @@ void write_ladder(JsonWriter& json, const std::optional<ToleranceLadder>& ladder
 
 void write_right_radii(JsonWriter& json, const std::optional<RightRadii>& radii) {
   json.Key("right_radii");
-  if (!radii) {
+  if (radii && !radii->empty()) {
+    json.StartArray();
+    json.number(radii->least);
+    json.number(radii->largest);
+    json.EndArray();
+  } else {
+    json.Null();
+  }
+  json.Key("tried_radii");
+  json.StartArray();
+  for (const TriedRadius& trial : radii ? radii->tried : std::vector<TriedRadius>()) {
+    json.StartObject();
+    json.Key("radius");
+    json.number(trial.radius);
+    json.Key("right");
+    json.Bool(trial.is_right);
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+void write_distance(JsonWriter& json, const Rational& squared) {
+  json.Key("squared_distance");
+  json.exact(squared);
+  json.Key("distance");
+  json.number(nearest_sqrt(squared));
+}
+
+void write_feature_size(JsonWriter& json, const std::optional<FeatureSize>& size) {
+  json.Key("feature_size");
+  if (!size) {
     json.Null();
     return;
   }
-  json.StartArray();
-  json.number(radii->least);
-  json.number(radii->largest);
-  json.EndArray();
+  json.StartObject();
+  json.Key("vertex_vertex");
+  json.StartObject();
+  write_distance(json, size->squared_vertex_vertex);
+  json.Key("vertices");
+  json.counts(std::vector<VertexId>{size->v, size->w});
+  json.EndObject();
+  json.Key("vertex_edge");
+  if (size->edge.valid()) {
+    json.StartObject();
+    write_distance(json, size->squared_vertex_edge);
+    write_cell(json, "vertex", true, size->vertex);
+    write_cell(json, "edge", true, size->edge);
+    json.EndObject();
+  } else {
+    json.Null();
+  }
+  json.EndObject();
 }
 
 }  // namespace
@@ -214,6 +258,7 @@ void write_check(JsonWriter& json, const Check& check) {
   write_summary(json, check);
   write_findings(json, "findings", check.input, check.crosscheck.findings);
   write_findings(json, "conversion", check.input, check.conversion.findings);
+  write_feature_size(json, check.feature_size);
   write_ladder(json, check.ladder);
   write_right_radii(json, check.right_radii);
 }

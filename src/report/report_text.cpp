@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "plumbline/report.hpp"
+#include "report/ladder_text.hpp"
 #include "report/verdict.hpp"
 #include "write/escape.hpp"
 
@@ -18,6 +19,7 @@ constexpr std::size_t kShownInputs = 3;
 constexpr std::size_t kShownRejected = 5;
 constexpr std::size_t kShownBounds = 4;
 constexpr std::size_t kShownKinds = 4;
+constexpr std::size_t kShownSteps = 5;
 
 using Out = std::back_insert_iterator<std::string>;
 
@@ -168,14 +170,14 @@ std::string report_text(const Check& check, std::size_t limit) {
   append_input(text, check.input);
   append_ledger(text, check.input.ledger);
   append_conversion(text, check.conversion);
-  if (c.agree()) return text;
+  if (c.agree()) return text + advice_text(check, kShownSteps);
   append_causes(text, c.findings);
   text += '\n';
   const std::size_t shown = std::min(c.findings.size(), limit);
   for (std::size_t i = 0; i < shown; ++i) append_finding(text, check.input, c.findings[i], i + 1);
   if (shown < c.findings.size())
     fmt::format_to(Out(text), "... and {} more (see -o report.json)\n", c.findings.size() - shown);
-  return text;
+  return text + advice_text(check, kShownSteps);
 }
 
 }  // namespace plumbline

@@ -1,0 +1,142 @@
+// The ladder says where right radii should end: at the first critical one, at which something
+// merges that is exactly apart. Where they begin (rounding takes apart what is one) only trying
+// tells.
+
+#include "check/right_radii.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include "plumbline/error.hpp"
+#include "plumbline/lar.hpp"
+
+namespace plumbline::checking {
+namespace {
+
+// Radii are tried this factor below and above a critical one.
+constexpr double kBeside = 1.005;
+// Where right radii end is found to this factor: no less than from below to above.
+constexpr double kResolution = 1.0101;
+// So many radii at least, if they are apart: two right ones say little about those between them.
+constexpr std::size_t kLeastTrials = 6;
+
+class Trials {
+ public:
+  Trials(const SegmentSet& input, const ExactComplex& exact_complex, const AdviceOptions& options)
+      : input_(input), exact_(exact_complex), options_(options) {}
+
+  bool may_go_on() const { return tried_.size() < options_.max_runs; }
+  const std::vector<TriedRadius>& tried() const { return tried_; }
+
+  /// Whether the float result is right; the radius is recorded as the pipeline raised it.
+  bool is_right(double radius) {
+    const double done = static_cast<double>(tried_.size()) / static_cast<double>(options_.max_runs);
+    if (options_.progress && !options_.progress(done))
+      throw Error(ErrorCode::Cancelled, "the search for right radii was cancelled");
+    const TriedRadius trial = run(radius);
+    const auto place = std::find_if(tried_.begin(), tried_.end(), [&](const TriedRadius& other) {
+      return other.radius >= trial.radius;
+    });
+    if (place == tried_.end() || place->radius != trial.radius) tried_.insert(place, trial);
+    return trial.is_right;
+  }
+
+  /// Tries radii between tried ones of different outcome until these are near each other.
+  void bisect() {
+    while (may_go_on()) {
+      const auto gap = std::adjacent_find(
+          tried_.begin(), tried_.end(), [](const TriedRadius& low, const TriedRadius& high) {
+            return low.is_right != high.is_right && high.radius > low.radius * kResolution;
+          });
+      if (gap == tried_.end() || !try_between(gap)) return;
+    }
+  }
+
+  /// Tries the middles of the widest gaps below a radius: to find a right one if there is none,
+  /// else until there are kLeastTrials.
+  void fill(double below) {
+    while (may_go_on()) {
+      if (tried_.size() >= kLeastTrials) return;
+      auto widest = tried_.end();
+      double ratio = kResolution;
+      for (auto low = tried_.begin(); std::next(low) != tried_.end(); ++low) {
+        const double high = std::next(low)->radius;
+        if (high > below || high <= low->radius * ratio) continue;
+        ratio = high / low->radius;
+        widest = low;
+      }
+      if (widest == tried_.end() || !try_between(widest)) return;
+    }
+  }
+
+ private:
+  TriedRadius run(double radius) const {
+    try {
+      const lar::Result result = lar::arrange(input_, {radius, options_.threads});
+      const double used = result.trace.radius;
+      const std::size_t vertices = result.complex.vertices.size();
+      if (counts(result.complex, vertices) != counts(exact_, exact_.vertices.size()))
+        return {used, false};
+      return {used, crosscheck(exact_, result.complex, used).agree()};
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Limit) return {radius, false};
+      throw;
+    }
+  }
+
+  /// The geometric middle of a tried radius and the next one. False if there is none.
+  bool try_between(std::vector<TriedRadius>::const_iterator low) {
+    const double least = low->radius, most = std::next(low)->radius;
+    const double middle = std::sqrt(least) * std::sqrt(most);
+    if (!(middle > least && middle < most)) return false;
+    is_right(middle);
+    return true;
+  }
+
+  const SegmentSet& input_;
+  const ExactComplex& exact_;
+  const AdviceOptions& options_;
+  std::vector<TriedRadius> tried_;  ///< ascending
+};
+
+/// The longest run (by the ratio of its ends, then the first) of right radii.
+RightRadii longest_run(const std::vector<TriedRadius>& tried) {
+  const auto is_right = [](const TriedRadius& trial) { return trial.is_right; };
+  RightRadii result{0, 0, tried};
+  double longest = 0;
+  for (auto first = tried.begin();
+       (first = std::find_if(first, tried.end(), is_right)) != tried.end();) {
+    const auto last = std::find_if_not(first, tried.end(), is_right);
+    const double ratio = std::prev(last)->radius / first->radius;
+    if (ratio > longest) {
+      longest = ratio;
+      result.least = first->radius;
+      result.largest = std::prev(last)->radius;
+    }
+    first = last;
+  }
+  return result;
+}
+
+}  // namespace
+
+RightRadii right_radii(const SegmentSet& input, const ExactComplex& exact_complex,
+                       const ToleranceLadder& ladder, const AdviceOptions& options) {
+  Trials trials(input, exact_complex, options);
+  trials.is_right(0);  // raised to the least radius there is
+  const double least = trials.tried().front().radius;
+  for (const LadderStep& step : ladder.steps) {
+    const double critical = nearest_sqrt(step.squared_radius);
+    if (critical / kBeside > least && trials.may_go_on()) trials.is_right(critical / kBeside);
+    // Beyond it something has merged. If the result is right all the same, go on with the ladder.
+    if (critical <= least || !trials.may_go_on() || !trials.is_right(critical * kBeside)) break;
+  }
+  trials.bisect();
+  if (!ladder.steps.empty()) trials.fill(nearest_sqrt(ladder.steps.front().squared_radius));
+  trials.bisect();
+  return longest_run(trials.tried());
+}
+
+}  // namespace plumbline::checking
