@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/lar.hpp"
+#include "random_segments.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
@@ -136,5 +138,29 @@ TEST_CASE("findings, causes and counts do not depend on the order or direction o
     const Finding &f = one.crosscheck.findings[i], &g = other.crosscheck.findings[i];
     CHECK(f.message == g.message);
     CHECK(f.cause->explanation == g.cause->explanation);
+  }
+}
+
+TEST_CASE("every finding of random drawings has a cause with a rule, and a confirmed stage") {
+  const std::string family = GENERATE(from_range(random_segments::families()));
+  CAPTURE(family);
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    SegmentSet input = random_segments::make(family, seed);
+    ExactComplex complex = arrange(input);
+    const double side = lar::arrange(input).trace.radius / lar::kDefaultRelativeRadius;
+    for (const double relative : {0.01, 1e-9}) {
+      CAPTURE(seed, relative);
+      CheckOptions options;
+      options.radius = side * relative;
+      const Check result = check(input, complex, options);
+      for (const Finding& finding : result.crosscheck.findings) {
+        INFO(finding.message);
+        REQUIRE(finding.cause);
+        CHECK_FALSE(finding.cause->rule.empty());
+        CHECK(finding.cause->confirmed);
+      }
+      CHECK(std::all_of(result.conversion.findings.begin(), result.conversion.findings.end(),
+                        [](const Finding& f) { return f.cause.has_value(); }));
+    }
   }
 }

@@ -55,7 +55,7 @@ ExitCode run(const CheckArguments& arguments) {
   if (arguments.report) write_file(*arguments.report, report_html(result));
   if (arguments.findings) write_file(*arguments.findings, report_geojson(result));
   if (arguments.plot) write_file(*arguments.plot, ladder_svg(*result.ladder, result.right_radii));
-  fmt::print("{}", report_text(result));
+  fmt::print("{}", report_text(result, arguments.listed));
   return result.agree() ? kAgree : kDisagree;
 }
 

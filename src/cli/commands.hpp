@@ -32,6 +32,7 @@ struct ArrangeArguments : DrawingArguments {
 
 struct CheckArguments : DrawingArguments {
   std::optional<std::string> against;
+  std::size_t listed = 8;  ///< findings printed
   std::optional<double> radius;
   std::optional<double> tolerance;
   std::optional<std::string> output;

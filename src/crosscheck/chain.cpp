@@ -3,10 +3,14 @@
 #include "crosscheck/chain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 namespace plumbline::matching {
 namespace {
+
+/// Some hundred roundings of the numbers in `is_surely_far`, whose products have few.
+constexpr double kSlack = 0x1p-45;
 
 class Search {
  public:
@@ -40,13 +44,23 @@ class Search {
   };
 
   void open(VertexId v) {
-    const Rational reached = advance(v);
     for (const HalfedgeId h : sides_.outgoing[side_][v]) {
       if (!is_usable_[edge_of(h)]) continue;
       const VertexId w = sides_[side_].target(h);
-      if (w == goal_ || (!visited_.contains(w) && advance(w) > reached && is_near(w)))
+      if (w == goal_ || (!visited_.contains(w) && !is_surely_far(w) && advance(w) > advance(v) &&
+                         is_near(w)))
         stack_.push_back({h, depth_});
     }
+  }
+
+  /// Doubles tell of most vertices that they lie further from the line than the tolerance.
+  bool is_surely_far(VertexId v) const {
+    const PointD p = nearest(sides_.point(side_, v));
+    const double dx = b_.x - a_.x, dy = b_.y - a_.y, length = std::hypot(dx, dy);
+    const double away = std::abs(dx * (p.y - a_.y) - dy * (p.x - a_.x));
+    const double size = std::max({std::abs(a_.x), std::abs(a_.y), std::abs(b_.x), std::abs(b_.y),
+                                  std::abs(p.x), std::abs(p.y)});
+    return away > length * (sides_.tolerance * (1 + kSlack) + size * kSlack);
   }
 
   /// How far along ab, times the squared length of ab.
@@ -62,6 +76,7 @@ class Search {
   const Side side_;
   const VertexId goal_;
   const Segment& ab_;
+  const PointD a_ = nearest(ab_.a), b_ = nearest(ab_.b);
   const std::vector<bool>& is_usable_;
   std::unordered_set<std::size_t> visited_;
   std::vector<Step> stack_;
