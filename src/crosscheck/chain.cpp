@@ -15,8 +15,8 @@ constexpr double kSlack = 0x1p-45;
 class Search {
  public:
   Search(const Sides& sides, Side side, VertexId goal, const Segment& ab,
-         const std::vector<bool>& is_usable)
-      : sides_(sides), side_(side), goal_(goal), ab_(ab), is_usable_(is_usable) {}
+         const std::vector<bool>& is_usable, std::size_t& steps)
+      : sides_(sides), side_(side), goal_(goal), ab_(ab), is_usable_(is_usable), steps_(steps) {}
 
   std::vector<HalfedgeId> from(VertexId start) {
     visited_.insert(start);
@@ -45,10 +45,12 @@ class Search {
 
   void open(VertexId v) {
     for (const HalfedgeId h : sides_.outgoing[side_][v]) {
+      if (steps_ == 0) return;
+      --steps_;
       if (!is_usable_[edge_of(h)]) continue;
       const VertexId w = sides_[side_].target(h);
-      if (w == goal_ || (!visited_.contains(w) && !is_surely_far(w) && advance(w) > advance(v) &&
-                         is_near(w)))
+      if (w == goal_ ||
+          (!visited_.contains(w) && !is_surely_far(w) && advance(w) > advance(v) && is_near(w)))
         stack_.push_back({h, depth_});
     }
   }
@@ -78,6 +80,7 @@ class Search {
   const Segment& ab_;
   const PointD a_ = nearest(ab_.a), b_ = nearest(ab_.b);
   const std::vector<bool>& is_usable_;
+  std::size_t& steps_;
   std::unordered_set<std::size_t> visited_;
   std::vector<Step> stack_;
   std::size_t depth_ = 0;
@@ -86,8 +89,9 @@ class Search {
 }  // namespace
 
 std::vector<HalfedgeId> chain_along(const Sides& sides, Side side, VertexId p, VertexId q,
-                                    const Segment& ab, const std::vector<bool>& is_usable) {
-  return Search(sides, side, q, ab, is_usable).from(p);
+                                    const Segment& ab, const std::vector<bool>& is_usable,
+                                    std::size_t& steps) {
+  return Search(sides, side, q, ab, is_usable, steps).from(p);
 }
 
 }  // namespace plumbline::matching

@@ -68,6 +68,8 @@ class EdgeMatcher {
   const Sides& sides_;
   const VertexMatch& vertices_;
   const std::size_t first_number_;
+  std::size_t chain_steps_ =
+      kLeastSteps + kStepsPerEdge * (sides_[Exact].edge_count() + sides_[Float].edge_count());
   EdgeMatch result_;
 };
 
@@ -194,9 +196,9 @@ void EdgeMatcher::report_chains(Side side, const std::vector<bool>& is_usable,
   for (const Left& left : left_over(side)) {
     const Edge& edge = sides_[side].edges[left.edge];
     const Segment ab{sides_.point(side, edge.tail), sides_.point(side, edge.head)};
-    const Walk chain = left.from == left.to
-                           ? Walk{}
-                           : chain_along(sides_, other(side), left.from, left.to, ab, usable);
+    const Walk chain = left.from == left.to ? Walk{}
+                                            : chain_along(sides_, other(side), left.from, left.to,
+                                                          ab, usable, chain_steps_);
     if (chain.empty()) continue;
     std::vector<EdgeId> here{left.edge}, there;
     Rational farthest = 0;
