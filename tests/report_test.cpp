@@ -1,6 +1,7 @@
 #include "plumbline/report.hpp"
 
 #include <rapidjson/document.h>
+#include <zlib.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -77,8 +78,29 @@ std::string between(const std::string& page, const std::string& begin, const std
   return page.substr(from + begin.size(), to - from - begin.size());
 }
 
+/// What `packed` packed.
+std::string unpacked(const std::string& text) {
+  std::string bytes;
+  std::uint32_t bits = 0;
+  unsigned count = 0;
+  static const std::string digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (const char c : text.substr(0, text.find('='))) {
+    bits = bits << 6U | static_cast<std::uint32_t>(digits.find(c));
+    if ((count += 6) < 8) continue;
+    count -= 8;
+    bytes += static_cast<char>(bits >> count & 255U);
+  }
+  std::string result(1 << 20, '\0');
+  uLongf size = result.size();
+  REQUIRE(uncompress(reinterpret_cast<Bytef*>(result.data()), &size,
+                     reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()) == Z_OK);
+  result.resize(size);
+  return result;
+}
+
 std::string page_json(const std::string& page) {
-  return between(page, "<script type=\"application/json\" id=\"report\">", "</script>");
+  return unpacked(between(page, "<script type=\"text/plain\" id=\"report\">", "</script>"));
 }
 
 std::multiset<std::string> texts(const pugi::xml_document& svg) {

@@ -42,7 +42,7 @@ void PageArrays::append_planes(const std::vector<Word>& words) {
 }
 
 void PageArrays::add(const std::string& name, std::span<const std::uint32_t> values) {
-  entries_.push_back({name, "u32", values.size(), ""});
+  entries_.push_back({name, "u32", values.size(), "", ""});
   std::vector<std::uint32_t> words;
   words.reserve(values.size());
   std::uint32_t previous = 0;
@@ -54,21 +54,22 @@ void PageArrays::add(const std::string& name, std::span<const std::uint32_t> val
 }
 
 void PageArrays::add(const std::string& name, std::span<const double> values) {
-  add(name, values, {});
+  entries_.push_back({name, "f64", values.size(), "", ""});
+  std::vector<std::uint64_t> words;
+  words.reserve(values.size());
+  for (const double value : values) words.push_back(std::bit_cast<std::uint64_t>(value));
+  append_planes(words);
 }
 
 void PageArrays::add(const std::string& name, std::span<const double> values,
                      const Reference& reference) {
-  ensure(reference.name.empty() || reference.values.size() == values.size(),
-         "an array is as long as its reference");
-  entries_.push_back({name, "f64", values.size(), reference.name});
+  ensure(reference.index.size() == values.size(), "each value of an array has its reference");
+  entries_.push_back({name, "f64", values.size(), reference.name, reference.index_name});
   std::vector<std::uint64_t> words;
   words.reserve(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(values[i]);
-    words.push_back(
-        reference.name.empty() ? bits : bits ^ std::bit_cast<std::uint64_t>(reference.values[i]));
-  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    words.push_back(std::bit_cast<std::uint64_t>(values[i]) ^
+                    std::bit_cast<std::uint64_t>(reference.values[reference.index[i]]));
   append_planes(words);
 }
 
@@ -84,12 +85,14 @@ void PageArrays::write_directory(JsonWriter& json) const {
     json.count(entry.count);
     json.Key("reference");
     json.text(entry.reference);
+    json.Key("index");
+    json.text(entry.index);
     json.EndObject();
   }
   json.EndArray();
 }
 
-std::string PageArrays::packed() const { return base64(deflated(bytes_)); }
+std::string packed(const std::string& bytes) { return base64(deflated(bytes)); }
 
 std::string base64(std::string_view bytes) {
   static constexpr std::string_view kDigits =

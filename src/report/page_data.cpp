@@ -73,6 +73,20 @@ Coordinates coordinates(const CellComplex<P>& complex) {
   return result;
 }
 
+/// Per place the first one of the others that is not before it, or their last one: where the
+/// complexes agree, the same place. Requires: there are others.
+Integers like_places(const Coordinates& places, const Coordinates& others) {
+  Integers result;
+  result.reserve(places.x.size());
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < places.x.size(); ++i) {
+    const PointD p{places.x[i], places.y[i]};
+    while (j + 1 < others.x.size() && PointD{others.x[j], others.y[j]} < p) ++j;
+    result.push_back(integer(j));
+  }
+  return result;
+}
+
 std::vector<double> nearest_doubles(const std::vector<Rational>& values) {
   std::vector<double> result;
   result.reserve(values.size());
@@ -93,12 +107,14 @@ class Complexes {
   template <class P>
   void add(const std::string& name, const CellComplex<P>& complex) {
     const Coordinates own = coordinates(complex);
-    if (own.x.size() == first_.x.size()) {
-      arrays_.add(name + ".x", own.x, {"authored.x", first_.x});
-      arrays_.add(name + ".y", own.y, {"authored.y", first_.y});
-    } else {
+    if (first_.x.empty()) {
       arrays_.add(name + ".x", own.x);
       arrays_.add(name + ".y", own.y);
+    } else {
+      const Integers like = like_places(own, first_);
+      arrays_.add(name + ".like", like);
+      arrays_.add(name + ".x", own.x, {"authored.x", first_.x, name + ".like", like});
+      arrays_.add(name + ".y", own.y, {"authored.y", first_.y, name + ".like", like});
     }
     if (static_cast<const Incidences&>(complex) == static_cast<const Incidences&>(authored_))
       same_.push_back(name);
@@ -215,7 +231,7 @@ PageData page_data(const Check& check) {
   write_ids(json, check.input);
   json.EndObject();
   json.EndObject();
-  return {json.take(), arrays.packed()};
+  return {json.take(), arrays.bytes()};
 }
 
 }  // namespace plumbline

@@ -9,7 +9,7 @@ namespace plumbline {
 /// What the page knows of a check.
 struct PageData {
   std::string json;    ///< the members of `report_json` but `sources` and `segments`, and `page`
-  std::string arrays;  ///< geometry, areas and sources, as PageArrays packs them
+  std::string arrays;  ///< geometry, areas and sources: the bytes of PageArrays
 };
 
 /// Member `page` of the JSON is {y_up, arrays, same_incidences, exact_areas, kinds, ids}: the

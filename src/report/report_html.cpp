@@ -1,6 +1,7 @@
 // The report as one page that needs nothing but itself.
 
 #include "plumbline/report.hpp"
+#include "report/page_arrays.hpp"
 #include "report/page_assets.hpp"
 #include "report/page_data.hpp"
 #include "report/verdict.hpp"
@@ -15,20 +16,6 @@ constexpr std::size_t kFindingsWithoutScript = 1000;
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
     "blob:; base-uri 'none'; form-action 'none'";
-
-/// JSON as the content of a script element: a '<' stands only in strings, and there it may be
-/// written as an escape, so that no "</script" or "<!--" ends or changes the element.
-std::string for_script(const std::string& json) {
-  std::string result;
-  result.reserve(json.size());
-  for (const char c : json) {
-    if (c == '<')
-      result += "\\u003c";
-    else
-      result += c;
-  }
-  return result;
-}
 
 std::string title(const Check& check) {
   const std::string file = check.input.files.empty() ? "drawing" : check.input.files[0];
@@ -51,10 +38,10 @@ std::string report_html(const Check& check) {
   page += kPageBody;
   page += "<noscript><pre>\n";
   page += xml_text(report_text(check, kFindingsWithoutScript));
-  page += "</pre></noscript>\n<script type=\"application/json\" id=\"report\">\n";
-  page += for_script(data.json);
+  page += "</pre></noscript>\n<script type=\"text/plain\" id=\"report\">";
+  page += packed(data.json);
   page += "</script>\n<script type=\"text/plain\" id=\"arrays\">";
-  page += data.arrays;
+  page += packed(data.arrays);
   page += "</script>\n<script>\n";
   page += kPageScript;
   page += "</script>\n</body>\n</html>\n";

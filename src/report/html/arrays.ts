@@ -11,11 +11,12 @@ function bytesOfBase64(text: string): Uint8Array {
   return bytes;
 }
 
-async function inflated(bytes: Uint8Array): Promise<Uint8Array> {
-  const stream = new Blob([bytes as BlobPart])
+/// The bytes that `packed` of page_arrays.cpp compressed.
+export async function unpacked(text: string): Promise<Response> {
+  const stream = new Blob([bytesOfBase64(text) as BlobPart])
     .stream()
     .pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  return new Response(stream);
 }
 
 function integers(planes: Uint8Array, count: number): Uint32Array {
@@ -33,34 +34,34 @@ function integers(planes: Uint8Array, count: number): Uint32Array {
   return values;
 }
 
-function doubles(planes: Uint8Array, count: number, reference?: Float64Array): Float64Array {
+function doubles(planes: Uint8Array, count: number): Float64Array {
   const values = new Float64Array(count);
   const bytes = new Uint8Array(values.buffer); // little-endian, as everywhere that browsers run
   for (let plane = 0; plane < 8; ++plane)
     for (let i = 0; i < count; ++i) bytes[8 * i + plane] = planes[plane * count + i];
-  if (reference) {
-    const others = new Uint8Array(reference.buffer);
-    for (let i = 0; i < bytes.length; ++i) bytes[i] ^= others[i];
-  }
   return values;
+}
+
+/// Turns differences of bits into values.
+function addReference(values: Float64Array, others: Float64Array, index: Uint32Array): void {
+  const words = new Uint32Array(values.buffer);
+  const otherWords = new Uint32Array(others.buffer);
+  for (let i = 0; i < values.length; ++i) {
+    words[2 * i] ^= otherWords[2 * index[i]];
+    words[2 * i + 1] ^= otherWords[2 * index[i] + 1];
+  }
 }
 
 export class Arrays {
   private readonly byName = new Map<string, Numbers>();
 
   static async read(text: string, entries: ArrayEntry[]): Promise<Arrays> {
-    const bytes = await inflated(bytesOfBase64(text));
+    const bytes = new Uint8Array(await (await unpacked(text)).arrayBuffer());
     const arrays = new Arrays();
     let begin = 0;
     for (const entry of entries) {
       const end = begin + entry.count * (entry.type === "u32" ? 4 : 8);
-      const planes = bytes.subarray(begin, end);
-      arrays.byName.set(
-        entry.name,
-        entry.type === "u32"
-          ? integers(planes, entry.count)
-          : doubles(planes, entry.count, entry.reference ? arrays.f64(entry.reference) : undefined),
-      );
+      arrays.byName.set(entry.name, arrays.decode(entry, bytes.subarray(begin, end)));
       begin = end;
     }
     return arrays;
@@ -72,6 +73,13 @@ export class Arrays {
 
   f64(name: string): Float64Array {
     return this.get(name) as Float64Array;
+  }
+
+  private decode(entry: ArrayEntry, planes: Uint8Array): Numbers {
+    if (entry.type === "u32") return integers(planes, entry.count);
+    const values = doubles(planes, entry.count);
+    if (entry.reference) addReference(values, this.f64(entry.reference), this.u32(entry.index));
+    return values;
   }
 
   private get(name: string): Numbers {

@@ -2,7 +2,7 @@
 
 import { element, number } from "./dom";
 import type { Complex, Drawing } from "./drawing";
-import { markerAt } from "./markers";
+import { isOnePlace, Marker, markerAt } from "./markers";
 import type { Overlay } from "./overlay";
 import { faceAt } from "./picking";
 import { ComplexName, complexNames, Finding } from "./report";
@@ -11,6 +11,7 @@ import { complexTitle } from "./titles";
 import type { View } from "./view";
 
 const shownSources = 4;
+const shownFindings = 3;
 const distanceFromPointer = 16;
 
 export class Hover {
@@ -34,11 +35,8 @@ export class Hover {
     stage.addEventListener("click", (event) => {
       const marker = markerAt(overlay.markers, ...this.position(event));
       if (!marker) return;
-      if (marker.findings.length === 1) return choose(marker.findings[0]);
-      const { box } = marker;
-      const spread = Math.max(box.right - box.left, box.bottom - box.top) * view.transform.k;
-      if (spread < 1e-3) return choose(marker.findings[0]); // they do not come apart
-      view.show(box);
+      if (isOnePlace(marker, view)) choose(marker.findings[0]);
+      else view.show(marker.box);
     });
     view.onMove((moving) => moving && this.clear());
   }
@@ -63,7 +61,7 @@ export class Hover {
     this.readout.textContent = this.drawing.place(u, v).map((c) => this.coordinate(c)).join(", ");
     const marker = markerAt(this.overlay.markers, this.x, this.y);
     this.view.stage.classList.toggle("pointing", !!marker);
-    const content = marker ? this.aboutFindings(marker.findings) : this.aboutFaces(u, v);
+    const content = marker ? this.aboutFindings(marker) : this.aboutFaces(u, v);
     this.tip.replaceChildren(...content);
     this.tip.hidden = content.length === 0;
     if (content.length > 0) this.place();
@@ -75,13 +73,17 @@ export class Hover {
     return value.toFixed(Math.min(Math.max(digits, 0), 15));
   }
 
-  private aboutFindings(findings: Finding[]): Node[] {
+  private aboutFindings(marker: Marker): Node[] {
     this.setHovered(undefined);
-    if (findings.length > 1)
+    const { findings } = marker;
+    if (!isOnePlace(marker, this.view))
       return [element("strong", {}, `${findings.length} findings`), element("p", {}, "Click to come nearer")];
-    const [finding] = findings;
-    const title = `${finding.number}. ${finding.kind} ${finding.disagreement}`;
-    return [element("strong", {}, title), element("p", {}, finding.message)];
+    const nodes = findings.slice(0, shownFindings).flatMap((finding) => [
+      element("strong", {}, `${finding.number}. ${finding.kind} ${finding.disagreement}`),
+      element("p", {}, finding.message),
+    ]);
+    const more = findings.length - shownFindings;
+    return more > 0 ? [...nodes, element("p", {}, `and ${more} more`)] : nodes;
   }
 
   private aboutFaces(u: number, v: number): Node[] {

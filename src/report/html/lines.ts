@@ -1,6 +1,8 @@
-// Lines of any width with smooth borders: each an instance of a rectangle (WebGL's own lines are
-// one pixel wide). Zoomed out, all lines of a layer stay on the graphics card; zoomed in, those in
-// view are clipped in doubles and sent anew.
+// Lines of any width with smooth borders: each is a rectangle of two triangles (WebGL's own lines
+// are one pixel wide), whose corners the vertex shader makes from the ends, which are in a texture
+// (instances, the usual way, are ten times slower where the processor does the drawing). Zoomed
+// out, all lines of a layer stay on the graphics card; zoomed in, those in view are clipped in
+// doubles and sent anew.
 
 import * as twgl from "twgl.js";
 import { Box } from "./box";
@@ -13,10 +15,14 @@ uniform vec2 viewport;  // pixels
 uniform vec2 translate; // pixels
 uniform float scale;    // pixels per unit
 uniform float width;    // pixels
-in vec2 corner;         // x: along the line 0..1, y: across -1..1
-in vec4 ends;
+uniform highp sampler2D lines;
 out float across;
+const vec2 corners[6] = vec2[](vec2(0, -1), vec2(0, 1), vec2(1, -1), vec2(1, -1), vec2(0, 1), vec2(1, 1));
 void main() {
+  int line = gl_VertexID / 6;
+  vec2 corner = corners[gl_VertexID % 6]; // x: along the line 0..1, y: across -1..1
+  int columns = textureSize(lines, 0).x;
+  vec4 ends = texelFetch(lines, ivec2(line % columns, line / columns), 0);
   vec2 a = ends.xy * scale + translate;
   vec2 b = ends.zw * scale + translate;
   vec2 along = b - a;
@@ -61,41 +67,48 @@ export function makeLineProgram(gl: WebGL2RenderingContext): twgl.ProgramInfo {
   return twgl.createProgramInfo(gl, [vertexShader, fragmentShader]);
 }
 
+const columns = 2048; // of the texture; every WebGL2 has that
+
 /// The ends of lines, four numbers each, on the graphics card.
 export class LineBuffer {
-  private readonly buffer: twgl.BufferInfo;
-  private readonly array: twgl.VertexArrayInfo;
+  private readonly texture: WebGLTexture;
+  private readonly nothing: WebGLVertexArrayObject;
   private count = 0;
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
     private readonly program: twgl.ProgramInfo,
   ) {
-    this.buffer = twgl.createBufferInfoFromArrays(gl, {
-      corner: { numComponents: 2, data: [0, -1, 0, 1, 1, -1, 1, 1] },
-      ends: { numComponents: 4, data: new Float32Array(4), divisor: 1, drawType: gl.DYNAMIC_DRAW },
-    });
-    this.array = twgl.createVertexArrayInfo(gl, program, this.buffer);
+    this.texture = gl.createTexture()!;
+    this.nothing = gl.createVertexArray()!;
+    this.set(new Float32Array(0));
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   }
 
   set(ends: Float32Array): void {
+    const gl = this.gl;
     this.count = ends.length / 4;
-    this.gl.bindBuffer(this.gl.ARRAY_BUFFER, this.buffer.attribs!.ends.buffer);
-    this.gl.bufferData(this.gl.ARRAY_BUFFER, ends, this.gl.DYNAMIC_DRAW);
+    const rows = Math.max(Math.ceil(this.count / columns), 1);
+    const texels = new Float32Array(4 * columns * rows);
+    texels.set(ends);
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, columns, rows, 0, gl.RGBA, gl.FLOAT, texels);
   }
 
   draw(frame: Frame, pen: Pen): void {
     if (this.count === 0) return;
     const gl = this.gl;
     gl.useProgram(this.program.program);
-    gl.bindVertexArray(this.array.vertexArrayObject!);
+    gl.bindVertexArray(this.nothing);
     twgl.setUniforms(this.program, {
       viewport: [frame.width, frame.height],
       translate: [frame.x, frame.y],
       scale: frame.k,
+      lines: this.texture,
       ...pen,
     });
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.count);
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * this.count);
   }
 }
 

@@ -1,5 +1,6 @@
 // The page of a check: reads its data and connects its parts.
 
+import { unpacked } from "./arrays";
 import { connectLayers, connectTabs, connectView } from "./controls";
 import { byId, element, plural } from "./dom";
 import { Drawing } from "./drawing";
@@ -14,8 +15,8 @@ import { Scene } from "./scene";
 import { showAnswers, showHead } from "./summary";
 import { View } from "./view";
 
-function readReport(): Report {
-  return JSON.parse(byId("report").textContent!) as Report;
+async function readReport(): Promise<Report> {
+  return (await (await unpacked(byId("report").textContent!)).json()) as Report;
 }
 
 function connectFindings(drawing: Drawing, view: View, overlay: Overlay): FindingList {
@@ -24,16 +25,13 @@ function connectFindings(drawing: Drawing, view: View, overlay: Overlay): Findin
     { complex: drawing.complexes[list.comparison], cells: finding.float_cells },
     { complex: drawing.complexes.authored, cells: finding.exact_cells },
   ];
-  list.onFilter = (findings) => {
-    overlay.findings = findings;
-    overlay.draw();
-  };
+  list.onFilter = (findings) => overlay.setFindings(findings);
   list.onChoose = (finding) => {
     overlay.chosen = finding && { finding, sides: sidesOf(finding) };
     if (finding) view.show(boxOf(finding, overlay.chosen!.sides, drawing));
     overlay.draw();
   };
-  overlay.findings = list.all;
+  overlay.setFindings(list.all);
   view.stage.addEventListener("keydown", (event) => {
     if (event.key === "n") list.step(1);
     if (event.key === "p") list.step(-1);
@@ -63,7 +61,7 @@ function showStep(step: LadderStep, drawing: Drawing, view: View): void {
 }
 
 async function start(): Promise<void> {
-  const report = readReport();
+  const report = await readReport();
   showHead(report, byId("title"), byId("verdict"), byId("facts"));
   const drawing = await Drawing.read(report, byId("arrays").textContent!);
   showAnswers(drawing, byId<HTMLTableElement>("answers"));

@@ -1,12 +1,13 @@
 // Findings on the stage: rings with numbers; those that would overlap are one disc with their count.
 
-import { Box, emptyBox, grow } from "./box";
+import { Box, emptyBox, extent, grow } from "./box";
 import type { Drawing } from "./drawing";
 import type { Finding } from "./report";
 import type { View } from "./view";
 
 const cell = 30; // pixels; findings nearer than this share a marker
 const reach = 14; // of the pointer
+const mostNumbers = 4;
 
 export interface Marker {
   x: number; // on the stage
@@ -15,26 +16,50 @@ export interface Marker {
   box: Box; // of the places, in the drawing
 }
 
-/// The findings in view.
-export function markersOf(findings: Finding[], drawing: Drawing, view: View): Marker[] {
-  const markers = new Map<string, Marker>();
-  const visible = view.visible(cell);
-  const { k, x: shiftX, y: shiftY } = view.transform;
-  for (const finding of findings) {
-    if (!finding.where) continue;
-    const [px, py] = drawing.local(finding.where.nearest);
-    if (px < visible.left || px > visible.right || py < visible.top || py > visible.bottom) continue;
-    // Cells hold still while the view pans.
-    const key = `${Math.floor((px * k) / cell)} ${Math.floor((py * k) / cell)}`;
-    let marker = markers.get(key);
-    if (!marker) {
-      marker = { x: px * k + shiftX, y: py * k + shiftY, findings: [], box: emptyBox() };
-      markers.set(key, marker);
-    }
-    marker.findings.push(finding);
-    grow(marker.box, px, py);
+/// The findings that have a place, with their local coordinates.
+export class Places {
+  readonly findings: Finding[];
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+
+  constructor(findings: Finding[], drawing: Drawing) {
+    this.findings = findings.filter((finding) => finding.where);
+    this.x = new Float64Array(this.findings.length);
+    this.y = new Float64Array(this.findings.length);
+    this.findings.forEach((finding, i) => {
+      [this.x[i], this.y[i]] = drawing.local(finding.where!.nearest);
+    });
   }
-  return [...markers.values()];
+}
+
+/// A marker for each square of the stage that has findings. The squares hold still on the drawing
+/// while the view pans.
+export function markersOf({ findings, x, y }: Places, view: View): Marker[] {
+  const { k, x: shiftX, y: shiftY } = view.transform;
+  const squares = new Map<number, Marker>();
+  const columns = Math.ceil(view.width / cell) + 4;
+  const left = Math.floor(-shiftX / cell) - 1;
+  const top = Math.floor(-shiftY / cell) - 1;
+  for (let i = 0; i < findings.length; ++i) {
+    const px = x[i] * k;
+    const py = y[i] * k;
+    if (px + shiftX < -cell || px + shiftX > view.width + cell) continue;
+    if (py + shiftY < -cell || py + shiftY > view.height + cell) continue;
+    const square = (Math.floor(py / cell) - top) * columns + Math.floor(px / cell) - left;
+    let marker = squares.get(square);
+    if (!marker) {
+      marker = { x: px + shiftX, y: py + shiftY, findings: [], box: emptyBox() };
+      squares.set(square, marker);
+    }
+    marker.findings.push(findings[i]);
+    grow(marker.box, x[i], y[i]);
+  }
+  return [...squares.values()];
+}
+
+/// Whether coming nearer does not part its findings.
+export function isOnePlace(marker: Marker, view: View): boolean {
+  return extent(marker.box) * view.transform.k < 1e-3;
 }
 
 export function markerAt(markers: Marker[], x: number, y: number): Marker | undefined {
@@ -52,29 +77,39 @@ export interface MarkerColours {
   paper: string;
 }
 
+/// A ring with numbers where the findings have one place, else a disc with their count.
 export function drawMarker(
-  on: CanvasRenderingContext2D, marker: Marker, chosen: boolean, colours: MarkerColours,
+  on: CanvasRenderingContext2D, marker: Marker, isOne: boolean, chosen: boolean,
+  colours: MarkerColours,
 ): void {
-  const count = marker.findings.length;
-  const text = String(count === 1 ? marker.findings[0].number : count);
-  const radius = count === 1 ? 7 : 9 + Math.min(Math.log2(count), 6);
   on.lineWidth = chosen ? 3 : 2;
   on.strokeStyle = colours.mark;
+  on.textBaseline = "middle";
+  const count = marker.findings.length;
+  const radius = isOne ? 7 : 9 + Math.min(Math.log2(count), 6);
   on.beginPath();
   on.arc(marker.x, marker.y, radius, 0, 2 * Math.PI);
-  on.font = `600 ${count === 1 ? 12 : 11}px system-ui, sans-serif`;
-  if (count > 1) {
-    on.fillStyle = colours.mark;
-    on.fill();
-    on.fillStyle = colours.paper;
-    on.textAlign = "center";
-    on.textBaseline = "middle";
-    on.fillText(text, marker.x, marker.y + 0.5);
+  if (isOne) {
+    on.stroke();
+    drawNumbers(on, marker, radius, colours);
     return;
   }
-  on.stroke();
+  on.fillStyle = colours.mark;
+  on.fill();
+  on.fillStyle = colours.paper;
+  on.textAlign = "center";
+  const text = count < 1000 ? String(count) : `${Math.round(count / 1000)}k`;
+  on.font = `600 ${text.length > 2 ? 10 : 11}px system-ui, sans-serif`;
+  on.fillText(text, marker.x, marker.y + 0.5);
+}
+
+function drawNumbers(
+  on: CanvasRenderingContext2D, marker: Marker, radius: number, colours: MarkerColours,
+): void {
+  const numbers = marker.findings.map((finding) => finding.number);
+  const text = numbers.slice(0, mostNumbers).join(", ") + (numbers.length > mostNumbers ? ", …" : "");
+  on.font = "600 12px system-ui, sans-serif";
   on.textAlign = "left";
-  on.textBaseline = "middle";
   on.lineWidth = 3.5;
   on.strokeStyle = colours.paper;
   on.lineJoin = "round";

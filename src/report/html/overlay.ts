@@ -4,7 +4,7 @@
 import { Box, emptyBox, extent, grow } from "./box";
 import { clipSegment } from "./clip";
 import type { Complex, Drawing } from "./drawing";
-import { drawMarker, Marker, markersOf } from "./markers";
+import { drawMarker, isOnePlace, Marker, markersOf, Places } from "./markers";
 import type { ComplexName, Finding } from "./report";
 import { facePath, Scene } from "./scene";
 import type { View } from "./view";
@@ -18,11 +18,11 @@ export interface Side {
 }
 
 export class Overlay {
-  findings: Finding[] = [];
   showFindings = true;
   chosen?: { finding: Finding; sides: Side[] };
   hovered?: { complex: Complex; face: number };
   markers: Marker[] = [];
+  private places: Places;
   private readonly context: CanvasRenderingContext2D;
 
   constructor(
@@ -32,6 +32,12 @@ export class Overlay {
     private readonly scene: Scene,
   ) {
     this.context = canvas.getContext("2d")!;
+    this.places = new Places([], drawing);
+  }
+
+  setFindings(findings: Finding[]): void {
+    this.places = new Places(findings, this.drawing);
+    this.draw();
   }
 
   draw(): void {
@@ -47,10 +53,12 @@ export class Overlay {
     this.drawVertices(on);
     if (this.chosen) for (const side of this.chosen.sides) this.drawCells(on, side);
     if (!this.showFindings) return;
-    this.markers = markersOf(this.findings, this.drawing, this.view);
+    this.markers = markersOf(this.places, this.view);
     const colours = { mark: this.css("mark"), paper: this.css("paper") };
-    for (const marker of this.markers)
-      drawMarker(on, marker, marker.findings.includes(this.chosen?.finding as Finding), colours);
+    for (const marker of this.markers) {
+      const isChosen = !!this.chosen && marker.findings.includes(this.chosen.finding);
+      drawMarker(on, marker, isOnePlace(marker, this.view), isChosen, colours);
+    }
   }
 
   private css(name: string): string {

@@ -78,6 +78,7 @@ export interface ArrayEntry {
   type: "u32" | "f64";
   count: number;
   reference: string;
+  index: string;
 }
 
 export interface Report {

@@ -66,7 +66,20 @@ DEALINGS IN THE SOFTWARE.
 
 
 */
-"use strict";(()=>{function element(tag,attributes={},...children2){let node=document.createElement(tag);for(let[name,value2]of Object.entries(
+"use strict";(()=>{function bytesOfBase64(text){let binary=atob(text),bytes=new Uint8Array(binary.length);for(let i=0;i<binary.length;++i)bytes[i]=
+binary.charCodeAt(i);return bytes}async function unpacked(text){let stream=new Blob([bytesOfBase64(text)]).stream().pipeThrough(
+new DecompressionStream("deflate"));return new Response(stream)}function integers(planes,count2){let values=new Uint32Array(
+count2),previous=0;for(let i=0;i<count2;++i){let zigzag=planes[i]|planes[count2+i]<<8|planes[2*count2+i]<<16|planes[3*count2+
+i]<<24;previous=previous+(zigzag>>>1^-(zigzag&1))>>>0,values[i]=previous}return values}function doubles(planes,count2){let values=new Float64Array(
+count2),bytes=new Uint8Array(values.buffer);for(let plane=0;plane<8;++plane)for(let i=0;i<count2;++i)bytes[8*i+plane]=planes[plane*
+count2+i];return values}function addReference(values,others,index){let words=new Uint32Array(values.buffer),otherWords=new Uint32Array(
+others.buffer);for(let i=0;i<values.length;++i)words[2*i]^=otherWords[2*index[i]],words[2*i+1]^=otherWords[2*index[i]+1]}
+var Arrays=class _Arrays{constructor(){this.byName=new Map}static async read(text,entries){let bytes=new Uint8Array(await(await unpacked(
+text)).arrayBuffer()),arrays=new _Arrays,begin=0;for(let entry of entries){let end=begin+entry.count*(entry.type==="u32"?
+4:8);arrays.byName.set(entry.name,arrays.decode(entry,bytes.subarray(begin,end))),begin=end}return arrays}u32(name){return this.
+get(name)}f64(name){return this.get(name)}decode(entry,planes){if(entry.type==="u32")return integers(planes,entry.count);
+let values=doubles(planes,entry.count);return entry.reference&&addReference(values,this.f64(entry.reference),this.u32(entry.
+index)),values}get(name){let values=this.byName.get(name);if(!values)throw new Error(`the page has no array ${name}`);return values}};function element(tag,attributes={},...children2){let node=document.createElement(tag);for(let[name,value2]of Object.entries(
 attributes))node.setAttribute(name,value2);for(let child of children2)child&&node.append(child);return node}function byId(id2){
 let node=document.getElementById(id2);if(!node)throw new Error(`the page has no element ${id2}`);return node}function number(value2,digits=6){
 if(value2===0)return"0";let size2=Math.abs(value2);return size2>=1e-4&&size2<1e9?String(Number(value2.toPrecision(digits))):
@@ -87,19 +100,7 @@ e+","e"):length2.toFixed(decimals)}function connectTabs(){let tabs=[...document.
 for(let tab of tabs){let isChosen=tab===chosen;tab.setAttribute("aria-selected",String(isChosen)),tab.tabIndex=isChosen?
 0:-1,byId(tab.getAttribute("aria-controls")).hidden=!isChosen}};tabs.forEach((tab,i)=>{tab.addEventListener("click",()=>open(
 tab)),tab.addEventListener("keydown",event=>{let step={ArrowRight:1,ArrowLeft:-1}[event.key];if(!step)return;let next=tabs[(i+
-step+tabs.length)%tabs.length];open(next),next.focus()})})}function bytesOfBase64(text){let binary=atob(text),bytes=new Uint8Array(binary.length);for(let i=0;i<binary.length;++i)bytes[i]=
-binary.charCodeAt(i);return bytes}async function inflated(bytes){let stream=new Blob([bytes]).stream().pipeThrough(new DecompressionStream(
-"deflate"));return new Uint8Array(await new Response(stream).arrayBuffer())}function integers(planes,count2){let values=new Uint32Array(
-count2),previous=0;for(let i=0;i<count2;++i){let zigzag=planes[i]|planes[count2+i]<<8|planes[2*count2+i]<<16|planes[3*count2+
-i]<<24;previous=previous+(zigzag>>>1^-(zigzag&1))>>>0,values[i]=previous}return values}function doubles(planes,count2,reference){
-let values=new Float64Array(count2),bytes=new Uint8Array(values.buffer);for(let plane=0;plane<8;++plane)for(let i=0;i<count2;++i)
-bytes[8*i+plane]=planes[plane*count2+i];if(reference){let others=new Uint8Array(reference.buffer);for(let i=0;i<bytes.length;++i)
-bytes[i]^=others[i]}return values}var Arrays=class _Arrays{constructor(){this.byName=new Map}static async read(text,entries){
-let bytes=await inflated(bytesOfBase64(text)),arrays=new _Arrays,begin=0;for(let entry of entries){let end=begin+entry.count*
-(entry.type==="u32"?4:8),planes=bytes.subarray(begin,end);arrays.byName.set(entry.name,entry.type==="u32"?integers(planes,
-entry.count):doubles(planes,entry.count,entry.reference?arrays.f64(entry.reference):void 0)),begin=end}return arrays}u32(name){
-return this.get(name)}f64(name){return this.get(name)}get(name){let values=this.byName.get(name);if(!values)throw new Error(
-`the page has no array ${name}`);return values}};var emptyBox=()=>({left:1/0,top:1/0,right:-1/0,bottom:-1/0});function grow(box,x,y){x<box.left&&(box.left=x),x>box.right&&
+step+tabs.length)%tabs.length];open(next),next.focus()})})}var emptyBox=()=>({left:1/0,top:1/0,right:-1/0,bottom:-1/0});function grow(box,x,y){x<box.left&&(box.left=x),x>box.right&&
 (box.right=x),y<box.top&&(box.top=y),y>box.bottom&&(box.bottom=y)}var extent=box=>Math.max(box.right-box.left,box.bottom-box.top);var none=4294967295,Lists=class{constructor(sizes,values){this.values=values;this.begin=new Uint32Array(sizes.length+1);
 for(let i=0;i<sizes.length;++i)this.begin[i+1]=this.begin[i]+sizes[i]}get size(){return this.begin.length-1}of(i){return i<
 this.size?this.values.subarray(this.begin[i],this.begin[i+1]):this.values.subarray(0,0)}};function readIncidences(arrays,name){
@@ -172,59 +173,64 @@ e stage made exact, the finding disappears"},"confirmed")),add2("rule",cause.rul
 "advice",cause.advice&&element("em",{},cause.advice))}let sources=element("ul");for(let source of finding.sources)sources.
 append(element("li",{},this.drawing.sourceText(source)));return add2("from",finding.sources.length>0&&sources),list}cells(finding,cells){
 if(cells.length===0)return"none";let most=24,names=cells.slice(0,most).join(", ")+(cells.length>most?", \u2026":"");return`${finding.
-kind==="hole"?"cycle":finding.kind} ${names}`}};var cell=30,reach=14;function markersOf(findings,drawing,view){let markers=new Map,visible=view.visible(cell),{k,x:shiftX,
-y:shiftY}=view.transform;for(let finding of findings){if(!finding.where)continue;let[px,py]=drawing.local(finding.where.
-nearest);if(px<visible.left||px>visible.right||py<visible.top||py>visible.bottom)continue;let key=`${Math.floor(px*k/cell)}\
- ${Math.floor(py*k/cell)}`,marker=markers.get(key);marker||(marker={x:px*k+shiftX,y:py*k+shiftY,findings:[],box:emptyBox()},
-markers.set(key,marker)),marker.findings.push(finding),grow(marker.box,px,py)}return[...markers.values()]}function markerAt(markers,x,y){
-let best,nearest=reach;for(let marker of markers){let distance=Math.hypot(marker.x-x,marker.y-y);distance<=nearest&&([best,
-nearest]=[marker,distance])}return best}function drawMarker(on,marker,chosen,colours){let count2=marker.findings.length,
-text=String(count2===1?marker.findings[0].number:count2),radius=count2===1?7:9+Math.min(Math.log2(count2),6);if(on.lineWidth=
-chosen?3:2,on.strokeStyle=colours.mark,on.beginPath(),on.arc(marker.x,marker.y,radius,0,2*Math.PI),on.font=`600 ${count2===
-1?12:11}px system-ui, sans-serif`,count2>1){on.fillStyle=colours.mark,on.fill(),on.fillStyle=colours.paper,on.textAlign=
-"center",on.textBaseline="middle",on.fillText(text,marker.x,marker.y+.5);return}on.stroke(),on.textAlign="left",on.textBaseline=
-"middle",on.lineWidth=3.5,on.strokeStyle=colours.paper,on.lineJoin="round",on.strokeText(text,marker.x+radius+4,marker.y),
-on.fillStyle=colours.mark,on.fillText(text,marker.x+radius+4,marker.y)}function faceAt(complex,x,y,size2=1,centres){let boxes=complex.faceBoxes(),found=0;for(let face=1;face<complex.faceCount;++face){
+kind==="hole"?"cycle":finding.kind} ${names}`}};var cell=30,reach=14,mostNumbers=4,Places=class{constructor(findings,drawing){this.findings=findings.filter(finding=>finding.
+where),this.x=new Float64Array(this.findings.length),this.y=new Float64Array(this.findings.length),this.findings.forEach(
+(finding,i)=>{[this.x[i],this.y[i]]=drawing.local(finding.where.nearest)})}};function markersOf({findings,x,y},view){let{
+k,x:shiftX,y:shiftY}=view.transform,squares=new Map,columns2=Math.ceil(view.width/cell)+4,left2=Math.floor(-shiftX/cell)-
+1,top2=Math.floor(-shiftY/cell)-1;for(let i=0;i<findings.length;++i){let px=x[i]*k,py=y[i]*k;if(px+shiftX<-cell||px+shiftX>
+view.width+cell||py+shiftY<-cell||py+shiftY>view.height+cell)continue;let square=(Math.floor(py/cell)-top2)*columns2+Math.
+floor(px/cell)-left2,marker=squares.get(square);marker||(marker={x:px+shiftX,y:py+shiftY,findings:[],box:emptyBox()},squares.
+set(square,marker)),marker.findings.push(findings[i]),grow(marker.box,x[i],y[i])}return[...squares.values()]}function isOnePlace(marker,view){
+return extent(marker.box)*view.transform.k<.001}function markerAt(markers,x,y){let best,nearest=reach;for(let marker of markers){
+let distance=Math.hypot(marker.x-x,marker.y-y);distance<=nearest&&([best,nearest]=[marker,distance])}return best}function drawMarker(on,marker,isOne,chosen,colours){
+on.lineWidth=chosen?3:2,on.strokeStyle=colours.mark,on.textBaseline="middle";let count2=marker.findings.length,radius=isOne?
+7:9+Math.min(Math.log2(count2),6);if(on.beginPath(),on.arc(marker.x,marker.y,radius,0,2*Math.PI),isOne){on.stroke(),drawNumbers(
+on,marker,radius,colours);return}on.fillStyle=colours.mark,on.fill(),on.fillStyle=colours.paper,on.textAlign="center";let text=count2<
+1e3?String(count2):`${Math.round(count2/1e3)}k`;on.font=`600 ${text.length>2?10:11}px system-ui, sans-serif`,on.fillText(
+text,marker.x,marker.y+.5)}function drawNumbers(on,marker,radius,colours){let numbers=marker.findings.map(finding=>finding.
+number),text=numbers.slice(0,mostNumbers).join(", ")+(numbers.length>mostNumbers?", \u2026":"");on.font="600 12px system\
+-ui, sans-serif",on.textAlign="left",on.lineWidth=3.5,on.strokeStyle=colours.paper,on.lineJoin="round",on.strokeText(text,
+marker.x+radius+4,marker.y),on.fillStyle=colours.mark,on.fillText(text,marker.x+radius+4,marker.y)}function faceAt(complex,x,y,size2=1,centres){let boxes=complex.faceBoxes(),found=0;for(let face=1;face<complex.faceCount;++face){
 let px=centres&&size2<1?centres[2*face]+(x-centres[2*face])/size2:x,py=centres&&size2<1?centres[2*face+1]+(y-centres[2*face+
 1])/size2:y,i=4*face;if(px<boxes[i]||px>boxes[i+2]||py<boxes[i+1]||py>boxes[i+3])continue;(complex.cells.faceDepth[face]>
 complex.cells.faceDepth[found]||found===0)&&isInside(complex,face,px,py)&&(found=face)}return found}function isInside(complex,face,x,y){
 let{begin,values}=complex.cells.cycles,inside=!1;for(let cycle of complex.cyclesOf(face))for(let i=begin[cycle];i<begin[cycle+
 1];++i){let tail=complex.originOf(values[i]),head=complex.originOf(values[i]^1),[ay,by]=[complex.y[tail],complex.y[head]];
 if(ay>y==by>y)continue;let ax=complex.x[tail];x<ax+(y-ay)/(by-ay)*(complex.x[head]-ax)&&(inside=!inside)}return inside}var complexTitle={authored:"as authored",doubles:"over the doubles",float:"float result"};function resultTitle(report){return report.
-radius===null?report.result:`float LAR, ${report.result}`}var shownSources=4,distanceFromPointer=16,Hover=class{constructor(tip,view,drawing,scene,overlay,readout,choose){this.tip=
-tip;this.view=view;this.drawing=drawing;this.scene=scene;this.overlay=overlay;this.readout=readout;this.x=0;this.y=0;this.
-scheduled=!1;let stage=view.stage;stage.addEventListener("pointermove",event=>this.at(event)),stage.addEventListener("po\
-interleave",()=>this.clear()),stage.addEventListener("pointerdown",()=>this.clear()),stage.addEventListener("click",event=>{
-let marker=markerAt(overlay.markers,...this.position(event));if(!marker)return;if(marker.findings.length===1)return choose(
-marker.findings[0]);let{box}=marker;if(Math.max(box.right-box.left,box.bottom-box.top)*view.transform.k<.001)return choose(
-marker.findings[0]);view.show(box)}),view.onMove(moving=>moving&&this.clear())}position(event){let box=this.view.stage.getBoundingClientRect();
+radius===null?report.result:`float LAR, ${report.result}`}var shownSources=4,shownFindings=3,distanceFromPointer=16,Hover=class{constructor(tip,view,drawing,scene,overlay,readout,choose){
+this.tip=tip;this.view=view;this.drawing=drawing;this.scene=scene;this.overlay=overlay;this.readout=readout;this.x=0;this.
+y=0;this.scheduled=!1;let stage=view.stage;stage.addEventListener("pointermove",event=>this.at(event)),stage.addEventListener(
+"pointerleave",()=>this.clear()),stage.addEventListener("pointerdown",()=>this.clear()),stage.addEventListener("click",event=>{
+let marker=markerAt(overlay.markers,...this.position(event));marker&&(isOnePlace(marker,view)?choose(marker.findings[0]):
+view.show(marker.box))}),view.onMove(moving=>moving&&this.clear())}position(event){let box=this.view.stage.getBoundingClientRect();
 return[event.clientX-box.left,event.clientY-box.top]}at(event){[this.x,this.y]=this.position(event),!(this.scheduled||event.
 buttons!==0)&&(this.scheduled=!0,requestAnimationFrame(()=>{this.scheduled=!1,this.show()}))}show(){let[u,v]=this.view.transform.
 invert([this.x,this.y]);this.readout.textContent=this.drawing.place(u,v).map(c=>this.coordinate(c)).join(", ");let marker=markerAt(
 this.overlay.markers,this.x,this.y);this.view.stage.classList.toggle("pointing",!!marker);let content=marker?this.aboutFindings(
-marker.findings):this.aboutFaces(u,v);this.tip.replaceChildren(...content),this.tip.hidden=content.length===0,content.length>
-0&&this.place()}coordinate(value2){let digits=Math.ceil(Math.log10(this.view.transform.k));return value2.toFixed(Math.min(
-Math.max(digits,0),15))}aboutFindings(findings){if(this.setHovered(void 0),findings.length>1)return[element("strong",{},
-`${findings.length} findings`),element("p",{},"Click to come nearer")];let[finding]=findings,title=`${finding.number}. ${finding.
-kind} ${finding.disagreement}`;return[element("strong",{},title),element("p",{},finding.message)]}aboutFaces(u,v){let shown=complexNames.
-filter(name=>this.scene.lines.has(name)||this.scene.faces===name),apart=this.scene.size<1,found=(apart?shown.filter(name=>name===
-this.scene.faces):shown).map(name=>({name,face:this.faceAt(name,u,v)})).filter(({face})=>face>0),first=found[0];return this.
-setHovered(first&&!apart?{complex:this.complex(first.name),face:first.face}:void 0),found.flatMap(({name,face},i)=>this.
-aboutFace(name,face,i===0))}faceAt(name,u,v){let{size:size2}=this.scene,complex=this.complex(name);return size2<1?faceAt(
-complex,u,v,size2,this.scene.centres(name)):faceAt(complex,u,v)}complex(name){return this.drawing.complexes[name]}aboutFace(name,face,withSources){
-let complex=this.complex(name),exactArea=name==="authored"?this.drawing.report.page.exact_areas[face]:"",holes=complex.cells.
-faceHoles.of(face).length,rows2=[["area",exactArea||`\u2248 ${number(complex.area[face],12)}`],["depth",String(complex.cells.
-faceDepth[face])],["holes",String(holes)]],list=element("dl");for(let[term,value2]of rows2)list.append(element("dt",{},term),
-element("dd",{},value2));let title=element("strong",{},`Face ${face}`,element("span",{class:`swatch ${name}`}),complexTitle[name]);
-return withSources?[title,list,this.sources(complex,face)]:[title,list]}sources(complex,face){let sources=this.drawing.sourcesOf(
-complex.segmentsAround(face)),list=element("ul");for(let source of sources.slice(0,shownSources))list.append(element("li",
-{},this.drawing.sourceText(source,!1)));return sources.length>shownSources&&list.append(element("li",{},`and ${sources.length-
-shownSources} more`)),list}setHovered(hovered){let before=this.overlay.hovered;before?.complex===hovered?.complex&&before?.
-face===hovered?.face||(this.overlay.hovered=hovered,this.overlay.draw())}place(){let{width,height}=this.view,box=this.tip.
-getBoundingClientRect(),right2=this.x+distanceFromPointer+box.width<width,below=this.y+distanceFromPointer+box.height<height,
-x=right2?this.x+distanceFromPointer:this.x-distanceFromPointer-box.width,y=below?this.y+distanceFromPointer:this.y-distanceFromPointer-
-box.height;this.tip.style.transform=`translate(${Math.max(x,4)}px, ${Math.max(y,4)}px)`}clear(){this.tip.hidden=!0,this.
-setHovered(void 0)}};var mostItems=500;function showInputs({report},place){let list=(title,items)=>{if(items.length===0)return;let ul=element(
+marker):this.aboutFaces(u,v);this.tip.replaceChildren(...content),this.tip.hidden=content.length===0,content.length>0&&this.
+place()}coordinate(value2){let digits=Math.ceil(Math.log10(this.view.transform.k));return value2.toFixed(Math.min(Math.max(
+digits,0),15))}aboutFindings(marker){this.setHovered(void 0);let{findings}=marker;if(!isOnePlace(marker,this.view))return[
+element("strong",{},`${findings.length} findings`),element("p",{},"Click to come nearer")];let nodes=findings.slice(0,shownFindings).
+flatMap(finding=>[element("strong",{},`${finding.number}. ${finding.kind} ${finding.disagreement}`),element("p",{},finding.
+message)]),more=findings.length-shownFindings;return more>0?[...nodes,element("p",{},`and ${more} more`)]:nodes}aboutFaces(u,v){
+let shown=complexNames.filter(name=>this.scene.lines.has(name)||this.scene.faces===name),apart=this.scene.size<1,found=(apart?
+shown.filter(name=>name===this.scene.faces):shown).map(name=>({name,face:this.faceAt(name,u,v)})).filter(({face})=>face>
+0),first=found[0];return this.setHovered(first&&!apart?{complex:this.complex(first.name),face:first.face}:void 0),found.
+flatMap(({name,face},i)=>this.aboutFace(name,face,i===0))}faceAt(name,u,v){let{size:size2}=this.scene,complex=this.complex(
+name);return size2<1?faceAt(complex,u,v,size2,this.scene.centres(name)):faceAt(complex,u,v)}complex(name){return this.drawing.
+complexes[name]}aboutFace(name,face,withSources){let complex=this.complex(name),exactArea=name==="authored"?this.drawing.
+report.page.exact_areas[face]:"",holes=complex.cells.faceHoles.of(face).length,rows2=[["area",exactArea||`\u2248 ${number(
+complex.area[face],12)}`],["depth",String(complex.cells.faceDepth[face])],["holes",String(holes)]],list=element("dl");for(let[
+term,value2]of rows2)list.append(element("dt",{},term),element("dd",{},value2));let title=element("strong",{},`Face ${face}`,
+element("span",{class:`swatch ${name}`}),complexTitle[name]);return withSources?[title,list,this.sources(complex,face)]:
+[title,list]}sources(complex,face){let sources=this.drawing.sourcesOf(complex.segmentsAround(face)),list=element("ul");for(let source of sources.
+slice(0,shownSources))list.append(element("li",{},this.drawing.sourceText(source,!1)));return sources.length>shownSources&&
+list.append(element("li",{},`and ${sources.length-shownSources} more`)),list}setHovered(hovered){let before=this.overlay.
+hovered;before?.complex===hovered?.complex&&before?.face===hovered?.face||(this.overlay.hovered=hovered,this.overlay.draw())}place(){
+let{width,height}=this.view,box=this.tip.getBoundingClientRect(),right2=this.x+distanceFromPointer+box.width<width,below=this.
+y+distanceFromPointer+box.height<height,x=right2?this.x+distanceFromPointer:this.x-distanceFromPointer-box.width,y=below?
+this.y+distanceFromPointer:this.y-distanceFromPointer-box.height;this.tip.style.transform=`translate(${Math.max(x,4)}px,\
+ ${Math.max(y,4)}px)`}clear(){this.tip.hidden=!0,this.setHovered(void 0)}};var mostItems=500;function showInputs({report},place){let list=(title,items)=>{if(items.length===0)return;let ul=element(
 "ul",{class:"items"});for(let item of items.slice(0,mostItems))ul.append(element("li",{},item));items.length>mostItems&&
 ul.append(element("li",{},`and ${items.length-mostItems} more`)),place.append(element("h3",{},title),ul)};list(plural(report.
 files.length,"file"),report.files),place.append(element("p",{},report.exact?"Every coordinate is exactly what the file s\
@@ -1608,10 +1614,14 @@ uniform vec2 viewport;  // pixels
 uniform vec2 translate; // pixels
 uniform float scale;    // pixels per unit
 uniform float width;    // pixels
-in vec2 corner;         // x: along the line 0..1, y: across -1..1
-in vec4 ends;
+uniform highp sampler2D lines;
 out float across;
+const vec2 corners[6] = vec2[](vec2(0, -1), vec2(0, 1), vec2(1, -1), vec2(1, -1), vec2(0, 1), vec2(1, 1));
 void main() {
+  int line = gl_VertexID / 6;
+  vec2 corner = corners[gl_VertexID % 6]; // x: along the line 0..1, y: across -1..1
+  int columns = textureSize(lines, 0).x;
+  vec4 ends = texelFetch(lines, ivec2(line % columns, line / columns), 0);
   vec2 a = ends.xy * scale + translate;
   vec2 b = ends.zw * scale + translate;
   vec2 along = b - a;
@@ -1633,17 +1643,18 @@ void main() {
   float visible = max(width, 1.0);
   float cover = clamp(0.5 * visible + 0.5 - abs(across), 0.0, 1.0) * min(width, 1.0);
   fragment = vec4(colour, 1) * cover * opacity;
-}`;function makeLineProgram(gl){return createProgramInfo(gl,[vertexShader2,fragmentShader2])}var LineBuffer=class{constructor(gl,program){
-this.gl=gl;this.program=program;this.count=0;this.buffer=createBufferInfoFromArrays(gl,{corner:{numComponents:2,data:[0,
--1,0,1,1,-1,1,1]},ends:{numComponents:4,data:new Float32Array(4),divisor:1,drawType:gl.DYNAMIC_DRAW}}),this.array=createVertexArrayInfo(
-gl,program,this.buffer)}set(ends){this.count=ends.length/4,this.gl.bindBuffer(this.gl.ARRAY_BUFFER,this.buffer.attribs.ends.
-buffer),this.gl.bufferData(this.gl.ARRAY_BUFFER,ends,this.gl.DYNAMIC_DRAW)}draw(frame2,pen){if(this.count===0)return;let gl=this.
-gl;gl.useProgram(this.program.program),gl.bindVertexArray(this.array.vertexArrayObject),setUniforms(this.program,{viewport:[
-frame2.width,frame2.height],translate:[frame2.x,frame2.y],scale:frame2.k,...pen}),gl.drawArraysInstanced(gl.TRIANGLE_STRIP,
-0,4,this.count)}},LineLayer=class{constructor(gl,program,lines){this.lines=lines;let{complex,from,to}=lines,{x,y}=complex,
-ends=new Float32Array(4*from.length),length2=0;for(let i=0;i<from.length;++i)ends[4*i]=x[from[i]],ends[4*i+1]=y[from[i]],
-ends[4*i+2]=x[to[i]],ends[4*i+3]=y[to[i]],length2+=Math.hypot(x[to[i]]-x[from[i]],y[to[i]]-y[from[i]]);this.meanLength=length2/
-Math.max(from.length,1),this.all=new LineBuffer(gl,program),this.all.set(ends),this.part=new LineBuffer(gl,program)}drawAll(frame2,pen){
+}`;function makeLineProgram(gl){return createProgramInfo(gl,[vertexShader2,fragmentShader2])}var columns=2048,LineBuffer=class{constructor(gl,program){
+this.gl=gl;this.program=program;this.count=0;this.texture=gl.createTexture(),this.nothing=gl.createVertexArray(),this.set(
+new Float32Array(0)),gl.texParameteri(gl.TEXTURE_2D,gl.TEXTURE_MIN_FILTER,gl.NEAREST),gl.texParameteri(gl.TEXTURE_2D,gl.
+TEXTURE_MAG_FILTER,gl.NEAREST)}set(ends){let gl=this.gl;this.count=ends.length/4;let rows2=Math.max(Math.ceil(this.count/
+columns),1),texels=new Float32Array(4*columns*rows2);texels.set(ends),gl.bindTexture(gl.TEXTURE_2D,this.texture),gl.texImage2D(
+gl.TEXTURE_2D,0,gl.RGBA32F,columns,rows2,0,gl.RGBA,gl.FLOAT,texels)}draw(frame2,pen){if(this.count===0)return;let gl=this.
+gl;gl.useProgram(this.program.program),gl.bindVertexArray(this.nothing),setUniforms(this.program,{viewport:[frame2.width,
+frame2.height],translate:[frame2.x,frame2.y],scale:frame2.k,lines:this.texture,...pen}),gl.drawArrays(gl.TRIANGLES,0,6*this.
+count)}},LineLayer=class{constructor(gl,program,lines){this.lines=lines;let{complex,from,to}=lines,{x,y}=complex,ends=new Float32Array(
+4*from.length),length2=0;for(let i=0;i<from.length;++i)ends[4*i]=x[from[i]],ends[4*i+1]=y[from[i]],ends[4*i+2]=x[to[i]],
+ends[4*i+3]=y[to[i]],length2+=Math.hypot(x[to[i]]-x[from[i]],y[to[i]]-y[from[i]]);this.meanLength=length2/Math.max(from.
+length,1),this.all=new LineBuffer(gl,program),this.all.set(ends),this.part=new LineBuffer(gl,program)}drawAll(frame2,pen){
 this.all.draw(frame2,pen)}drawPart(box,frame2,pen){this.part.set(new Float32Array(this.clipped(box,frame2))),this.part.draw(
 {...frame2,k:1,x:0,y:0},pen)}clipped(box,frame2){let{complex,from,to}=this.lines,{x,y}=complex,ends=[];for(let i=0;i<from.
 length;++i){let a=from[i],b=to[i];Math.min(x[a],x[b])>box.right||Math.max(x[a],x[b])<box.left||Math.min(y[a],y[b])>box.bottom||
@@ -1696,13 +1707,14 @@ theme.rgb(name),opacity:1,width}}};function facePath(complex,face,view,pixels){l
 {k,x,y}=view.transform;for(let cycle of complex.cyclesOf(face)){let ring=Array.from(complex.ring(cycle),v=>[complex.x[v],
 complex.y[v]]);clipRing(box,ring).forEach(([px,py],i)=>i===0?path.moveTo(px*k+x,py*k+y):path.lineTo(px*k+x,py*k+y)),path.
 closePath()}return path}var mostVertices=1500,roomyVertices=60,Overlay=class{constructor(canvas,view,drawing,scene){this.canvas=canvas;this.view=
-view;this.drawing=drawing;this.scene=scene;this.findings=[];this.showFindings=!0;this.markers=[];this.context=canvas.getContext(
-"2d")}draw(){let{width,height}=this.view,ratio=devicePixelRatio||1,on=this.context;if(this.canvas.width=Math.round(width*
-ratio),this.canvas.height=Math.round(height*ratio),on.setTransform(ratio,0,0,ratio,0,0),this.markers=[],this.scene.size<
-1)return;if(this.drawHovered(on),this.drawVertices(on),this.chosen)for(let side of this.chosen.sides)this.drawCells(on,side);
-if(!this.showFindings)return;this.markers=markersOf(this.findings,this.drawing,this.view);let colours={mark:this.css("ma\
-rk"),paper:this.css("paper")};for(let marker of this.markers)drawMarker(on,marker,marker.findings.includes(this.chosen?.
-finding),colours)}css(name){return this.scene.theme.css(name)}drawHovered(on){if(!this.hovered)return;let path=facePath(
+view;this.drawing=drawing;this.scene=scene;this.showFindings=!0;this.markers=[];this.context=canvas.getContext("2d"),this.
+places=new Places([],drawing)}setFindings(findings){this.places=new Places(findings,this.drawing),this.draw()}draw(){let{
+width,height}=this.view,ratio=devicePixelRatio||1,on=this.context;if(this.canvas.width=Math.round(width*ratio),this.canvas.
+height=Math.round(height*ratio),on.setTransform(ratio,0,0,ratio,0,0),this.markers=[],this.scene.size<1)return;if(this.drawHovered(
+on),this.drawVertices(on),this.chosen)for(let side of this.chosen.sides)this.drawCells(on,side);if(!this.showFindings)return;
+this.markers=markersOf(this.places,this.view);let colours={mark:this.css("mark"),paper:this.css("paper")};for(let marker of this.
+markers){let isChosen=!!this.chosen&&marker.findings.includes(this.chosen.finding);drawMarker(on,marker,isOnePlace(marker,
+this.view),isChosen,colours)}}css(name){return this.scene.theme.css(name)}drawHovered(on){if(!this.hovered)return;let path=facePath(
 this.hovered.complex,this.hovered.face,this.view,8);on.fillStyle=this.css("hover"),on.fill(path,"evenodd"),on.strokeStyle=
 this.css("ink"),on.lineWidth=1.5,on.stroke(path)}drawVertices(on){for(let name of["float","doubles","authored"]){if(!this.
 scene.lines.has(name))continue;let complex=this.drawing.complexes[name];for(let vertex of complex.cells.isolated)this.dot(
@@ -1771,20 +1783,20 @@ width,this.height/height),to=identity4.translate(this.width/2,this.height/2).sca
 transform.k;this.selection.interrupt(),this.behavior.translateBy(this.selection,x*keyStep*this.width/k,y*keyStep*this.height/
 k)},action={ArrowLeft:()=>pan(1,0),ArrowRight:()=>pan(-1,0),ArrowUp:()=>pan(0,1),ArrowDown:()=>pan(0,-1),"+":()=>this.zoomBy(
 keyZoom),"=":()=>this.zoomBy(keyZoom),"-":()=>this.zoomBy(1/keyZoom),0:()=>this.showAll(),Home:()=>this.showAll()}[event.
-key];action&&(event.preventDefault(),action())}};function readReport(){return JSON.parse(byId("report").textContent)}function connectFindings(drawing,view,overlay){let list=new FindingList(
-drawing),sidesOf=finding=>[{complex:drawing.complexes[list.comparison],cells:finding.float_cells},{complex:drawing.complexes.
-authored,cells:finding.exact_cells}];return list.onFilter=findings=>{overlay.findings=findings,overlay.draw()},list.onChoose=
-finding=>{overlay.chosen=finding&&{finding,sides:sidesOf(finding)},finding&&view.show(boxOf(finding,overlay.chosen.sides,
-drawing)),overlay.draw()},overlay.findings=list.all,view.stage.addEventListener("keydown",event=>{event.key==="n"&&list.
-step(1),event.key==="p"&&list.step(-1),event.key==="Escape"&&list.choose(void 0)}),connectComparison(drawing,list),list}
-function connectComparison({report},list){let choice=byId("comparison");choice.hidden=report.conversion.length===0;for(let button of choice.
-querySelectorAll("button"))button.addEventListener("click",()=>{for(let other of choice.querySelectorAll("button"))other.
-setAttribute("aria-pressed",String(other===button));list.setComparison(button.value)})}function showStep(step,drawing,view){
+key];action&&(event.preventDefault(),action())}};async function readReport(){return await(await unpacked(byId("report").textContent)).json()}function connectFindings(drawing,view,overlay){
+let list=new FindingList(drawing),sidesOf=finding=>[{complex:drawing.complexes[list.comparison],cells:finding.float_cells},
+{complex:drawing.complexes.authored,cells:finding.exact_cells}];return list.onFilter=findings=>overlay.setFindings(findings),
+list.onChoose=finding=>{overlay.chosen=finding&&{finding,sides:sidesOf(finding)},finding&&view.show(boxOf(finding,overlay.
+chosen.sides,drawing)),overlay.draw()},overlay.setFindings(list.all),view.stage.addEventListener("keydown",event=>{event.
+key==="n"&&list.step(1),event.key==="p"&&list.step(-1),event.key==="Escape"&&list.choose(void 0)}),connectComparison(drawing,
+list),list}function connectComparison({report},list){let choice=byId("comparison");choice.hidden=report.conversion.length===
+0;for(let button of choice.querySelectorAll("button"))button.addEventListener("click",()=>{for(let other of choice.querySelectorAll(
+"button"))other.setAttribute("aria-pressed",String(other===button));list.setComparison(button.value)})}function showStep(step,drawing,view){
 let complex=drawing.complexes.authored,[x,y]=[complex.x[step.vertex],complex.y[step.vertex]],half=3*step.radius;view.show(
-{left:x-half,right:x+half,top:y-half,bottom:y+half})}async function start2(){let report=readReport();showHead(report,byId(
-"title"),byId("verdict"),byId("facts"));let drawing=await Drawing.read(report,byId("arrays").textContent);showAnswers(drawing,
-byId("answers")),showInputs(drawing,byId("inputs-panel")),byId("findings-tab").append(` ${report.findings.length}`);let stage=byId(
-"stage"),view=new View(stage,drawing.box),scene=new Scene(byId("lines"),byId("below"),view,drawing),overlay=new Overlay(
+{left:x-half,right:x+half,top:y-half,bottom:y+half})}async function start2(){let report=await readReport();showHead(report,
+byId("title"),byId("verdict"),byId("facts"));let drawing=await Drawing.read(report,byId("arrays").textContent);showAnswers(
+drawing,byId("answers")),showInputs(drawing,byId("inputs-panel")),byId("findings-tab").append(` ${report.findings.length}`);
+let stage=byId("stage"),view=new View(stage,drawing.box),scene=new Scene(byId("lines"),byId("below"),view,drawing),overlay=new Overlay(
 byId("overlay"),view,drawing,scene);scene.onDraw=()=>overlay.draw(),connectLayers(scene,overlay),connectView(view),connectTabs();
 let list=connectFindings(drawing,view,overlay);showLadder(report,byId("ladder-panel"),step=>showStep(step,drawing,view)),
 new Hover(byId("tip"),view,drawing,scene,overlay,byId("readout"),finding=>list.choose(finding)),connectPrinting(()=>list.
