@@ -21,6 +21,27 @@ add_test(NAME "layers: forbidden includes are found"
 set_tests_properties("layers: forbidden includes are found" PROPERTIES
                      PASS_REGULAR_EXPRESSION "10 forbidden includes")
 
+# The page of the report: where npm is, its bundle is made again; where Chromium is too, it is
+# opened. scripts/deps --browser installs all of that.
+find_program(NODE node)
+find_program(NPM npm)
+find_program(CHROMIUM chromium)
+if(NODE AND NPM)
+  add_test(NAME "page: the checked-in bundle is what its sources make"
+           COMMAND ${scripts}/bundle --check ${PROJECT_BINARY_DIR})
+  set_tests_properties("page: the checked-in bundle is what its sources make" PROPERTIES
+                       FIXTURES_SETUP page_modules)
+  if(CHROMIUM)
+    add_test(NAME "page: what a reader sees and does in a browser"
+             COMMAND ${NODE} ${CMAKE_CURRENT_SOURCE_DIR}/report_browser_test.mjs
+                     $<TARGET_FILE:plumbline_cli>
+                     ${PROJECT_BINARY_DIR}/report-page/node_modules ${CHROMIUM}
+                     ${CMAKE_CURRENT_BINARY_DIR}/report_browser)
+    set_tests_properties("page: what a reader sees and does in a browser" PROPERTIES
+                         FIXTURES_REQUIRED page_modules TIMEOUT 600)
+  endif()
+endif()
+
 add_test(NAME "package: an installed copy is found, linked and run"
          COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR}
                  -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/consumer -DCOMPILER=${CMAKE_CXX_COMPILER}
