@@ -7,6 +7,7 @@
 #include "plumbline/check.hpp"
 #include "plumbline/complex.hpp"
 #include "plumbline/crosscheck.hpp"
+#include "plumbline/diagnose.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/geometry.hpp"
 #include "plumbline/ladder.hpp"

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "plumbline/check.hpp"
+#include "plumbline/diagnose.hpp"
 
 namespace plumbline {
 
@@ -29,5 +30,16 @@ std::string ladder_text(const ToleranceLadder& ladder, const ExactComplex& compl
 /// The same as a picture: vertices, edges and faces over the logarithm of the radius; radii for
 /// which the float result is right in green.
 std::string ladder_svg(const ToleranceLadder& ladder, const std::optional<RightRadii>& radii = {});
+
+/// The diagnosis for a terminal: how many defects of each kind, then `limit` of each with their
+/// places and elements, then what tolerances would mend. Numbers are positions in
+/// Diagnosis::defects, from 1, here and below.
+std::string report_text(const Diagnosis& diagnosis, const SegmentSet& input,
+                        std::size_t limit = 20);
+/// The same as JSON, all that are listed. Documented in docs/json.md.
+std::string report_json(const Diagnosis& diagnosis, const SegmentSet& input);
+/// The drawing with the defects marked by their numbers.
+std::string report_svg(const Diagnosis& diagnosis, const SegmentSet& input,
+                       const ExactComplex& complex);
 
 }  // namespace plumbline

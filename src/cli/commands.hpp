@@ -46,6 +46,10 @@ struct CheckArguments : DrawingArguments {
 struct InfoArguments : DrawingArguments {
   bool ladder = false;
   std::optional<std::string> plot;
+  bool diagnose = false;
+  std::optional<Rational> within;  ///< search distance of the diagnosis
+  std::optional<std::string> output;
+  std::optional<std::string> picture;
 };
 
 struct LarArguments : InputArguments {

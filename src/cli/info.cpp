@@ -10,6 +10,7 @@
 #include "cli/load.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
+#include "cli/progress.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -77,10 +78,23 @@ void print_ladder(const ExactComplex& complex, const std::optional<std::string>&
   if (plot) write_file(*plot, ladder_svg(ladder));
 }
 
+void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments) {
+  const Diagnosis diagnosis = [&] {
+    const Progress progress("diagnosing");
+    return diagnose(drawing.input, drawing.complex, {arguments.within});
+  }();
+  if (arguments.output) write_file(*arguments.output, report_json(diagnosis, drawing.input));
+  if (arguments.picture)
+    write_file(*arguments.picture, report_svg(diagnosis, drawing.input, drawing.complex));
+  fmt::print("\n{}", report_text(diagnosis, drawing.input));
+}
+
 }  // namespace
 
 ExitCode run(const InfoArguments& arguments) {
-  check_outputs(arguments.file, {{arguments.plot, {".svg"}}});
+  check_outputs(arguments.file, {{arguments.plot, {".svg"}},
+                                 {arguments.output, {".json"}},
+                                 {arguments.picture, {".svg"}}});
   const Drawing drawing = load(arguments);
   fmt::print("drawing      {}: {} elements, {} segments, {} rejected\n", arguments.file,
              drawing.input.sources.size(), drawing.input.segments.size(),
@@ -93,6 +107,7 @@ ExitCode run(const InfoArguments& arguments) {
   print_features(drawing.complex);
   fmt::print("signature    {}\n", signature(drawing.complex));
   if (arguments.ladder || arguments.plot) print_ladder(drawing.complex, arguments.plot);
+  if (arguments.diagnose) print_diagnosis(drawing, arguments);
   return kAgree;
 }
 

@@ -67,6 +67,40 @@ void add_plot(CLI::App& command, std::optional<std::string>& plot) {
       ->type_name("FILE");
 }
 
+void add_info_command(CLI::App& app, InfoArguments& arguments, ExitCode& exit_code) {
+  CLI::App* command = add_command(
+      app, arguments, "info", "What a drawing holds: counts, extent, repetitions, feature size",
+      "Examples: plumbline info plan.svg --ladder --plot ladder.svg\n"
+      "          plumbline info plan.svg --diagnose --within 0.5 --picture defects.svg",
+      exit_code);
+  command->add_flag("--ladder", arguments.ladder,
+                    "The tolerance ladder: at which radii merging within the radius would give "
+                    "other numbers of vertices, edges or faces");
+  add_plot(*command, arguments.plot);
+  CLI::Option* diagnose = command->add_flag(
+      "--diagnose", arguments.diagnose,
+      "Name the defects of the line work: duplicates, overlaps, gaps, undershoots, overshoots, "
+      "near-misses, dangles, bridges, slivers, short edges, nearly parallel edges");
+  command
+      ->add_option_function<std::string>(
+          "--within",
+          [&](const std::string& distance) {
+            arguments.within = parse_decimal(distance);
+            if (sgn(*arguments.within) >= 0) return;
+            throw Error(ErrorCode::BadInput, "the search distance is negative", {}, distance);
+          },
+          "What is no further away than this is near, in drawing units [default: 0.001 x the "
+          "drawing's longer side]")
+      ->needs(diagnose)
+      ->type_name("DISTANCE");
+  command->add_option("-o,--output", arguments.output, "Write the diagnosis to a JSON file")
+      ->needs(diagnose)
+      ->type_name("FILE");
+  command->add_option("--picture", arguments.picture, "Draw the defects to an SVG file")
+      ->needs(diagnose)
+      ->type_name("FILE");
+}
+
 void add_advice(CLI::App& command, CheckArguments& arguments) {
   CLI::Option* advice = command.add_flag_callback(
       "--advice", [&] { arguments.advice = true; },
@@ -272,13 +306,7 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_check_options(*command, check);
 
   InfoArguments info;
-  command = add_command(app, info, "info",
-                        "What a drawing holds: counts, extent, repetitions, feature size",
-                        "Example: plumbline info plan.svg --ladder --plot ladder.svg", exit_code);
-  command->add_flag("--ladder", info.ladder,
-                    "The tolerance ladder: at which radii merging within the radius would give "
-                    "other numbers of vertices, edges or faces");
-  add_plot(*command, info.plot);
+  add_info_command(app, info, exit_code);
 
   LarArguments lar;
   add_lar_command(app, lar, exit_code);

@@ -1,0 +1,83 @@
+// Defects from classified tips.
+
+#include <algorithm>
+
+#include "diagnose/steps.hpp"
+
+namespace plumbline::diagnosing {
+namespace {
+
+Defect near_end(const Work& work, const Tip& tip) {
+  const LineGraph& graph = work.graph;
+  Defect defect;
+  defect.kind = tip.kind;
+  defect.where = graph.complex().vertices[tip.vertex];
+  defect.vertices = {tip.vertex};
+  defect.edges = {graph.edges(tip.vertex)[0], tip.edge};
+  if (tip.kind == DefectKind::Gap) {
+    defect.where = midpoint(defect.where, graph.complex().vertices[tip.partner]);
+    defect.vertices.push_back(tip.partner);
+    std::sort(defect.vertices.begin(), defect.vertices.end());
+    std::sort(defect.edges.begin(), defect.edges.end());
+  }
+  defect.squared_size = tip.squared_distance;
+  defect.size = nearest_sqrt(tip.squared_distance);
+  defect.proposed_tolerance = root_rounded_up(tip.squared_distance);
+  defect.segments = graph.segments(defect.edges);
+  return defect;
+}
+
+Defect dangling(const Work& work, const Tip& tip) {
+  const LineGraph& graph = work.graph;
+  Chain line = graph.chain(tip.vertex, graph.edges(tip.vertex)[0]);
+  const Roots length = graph.length(line);
+  Defect defect;
+  defect.kind = tip.kind;
+  defect.where = graph.complex().vertices[tip.vertex];
+  defect.vertices = {tip.vertex};
+  if (line.edges.size() == 1) defect.squared_size = graph.squared_length(line.edges[0]);
+  defect.size = length.rounded();
+  if (graph.is_within(line, work.within)) defect.proposed_tolerance = length.rounded_up();
+  defect.segments = graph.segments(line.edges);
+  defect.edges = std::move(line.edges);
+  return defect;
+}
+
+/// Where both ends of a line dangle, or both tips of a gap have each other: whether the other one
+/// speaks for both.
+bool is_told_by_other(const Work& work, const Tips& tips, const Tip& tip) {
+  VertexId other;
+  if (tip.kind == DefectKind::Gap) other = tip.partner;
+  if (tip.kind == DefectKind::Dangle)
+    other = work.graph.chain(tip.vertex, work.graph.edges(tip.vertex)[0]).last;
+  if (!other.valid() || !(other < tip.vertex) || !work.graph.is_tip(other)) return false;
+  const Tip& second = tips.at(other);
+  return second.kind == tip.kind &&
+         (tip.kind == DefectKind::Dangle || second.partner == tip.vertex);
+}
+
+}  // namespace
+
+Defects dangling_lines(const Work& work, const Tips& tips) {
+  Defects result(work.most_listed);
+  for (const Tip& tip : tips.tips) {
+    if (is_told_by_other(work, tips, tip)) continue;
+    if (tip.kind == DefectKind::Gap || tip.kind == DefectKind::Undershoot) {
+      result.add(near_end(work, tip));
+      continue;
+    }
+    Defect defect = dangling(work, tip);
+    if (tip.kind == DefectKind::Overshoot)
+      for (const EdgeId e : defect.edges) result.add_accident(e);
+    if (tip.kind == DefectKind::Dangle) {
+      const VertexId last = work.graph.chain(tip.vertex, defect.edges[0]).last;
+      if (work.graph.is_tip(last) && tips.at(last).kind == DefectKind::Dangle)
+        defect.vertices.push_back(last);
+    }
+    result.add(std::move(defect));
+  }
+  for (std::size_t i = 0; i < tips.cut_short; ++i) result.add_cut_short();
+  return result;
+}
+
+}  // namespace plumbline::diagnosing

@@ -1,0 +1,95 @@
+// The steps in order, then what a tolerance would do.
+
+#include "plumbline/diagnose.hpp"
+
+#include <algorithm>
+
+#include "diagnose/steps.hpp"
+#include "plumbline/error.hpp"
+
+namespace plumbline {
+namespace {
+
+using diagnosing::Defects;
+using diagnosing::LineGraph;
+
+/// A search distance of the longer side / kDefaultPart: as float LAR's radius.
+constexpr int kDefaultPart = 1000;
+
+Rational default_distance(const ExactComplex& complex) {
+  if (complex.vertices.empty()) return 0;
+  const auto by_y = [](const Point& p, const Point& q) { return p.y < q.y; };
+  const auto [low, high] =
+      std::minmax_element(complex.vertices.begin(), complex.vertices.end(), by_y);
+  const Rational width = complex.vertices.back().x - complex.vertices.front().x;
+  const Rational height = high->y - low->y;
+  return std::max(width, height) / kDefaultPart;
+}
+
+/// The shortest edge that is not among the accidents, squared.
+std::optional<Rational> shortest_detail(const LineGraph& graph,
+                                        const std::vector<EdgeId>& accidents) {
+  std::vector<bool> is_accident(graph.complex().edge_count());
+  for (const EdgeId e : accidents) is_accident[e] = true;
+  std::optional<Rational> shortest;
+  double bound = 0;
+  for (std::size_t i = 0; i < is_accident.size(); ++i) {
+    const EdgeId e(i);
+    if (is_accident[e] || (shortest && graph.approx_length(e) > bound)) continue;
+    Rational squared = graph.squared_length(e);
+    if (shortest && *shortest <= squared) continue;
+    bound = graph.approx_length(e) + 2 * graph.slack();
+    shortest = std::move(squared);
+  }
+  return shortest;
+}
+
+std::vector<ToleranceEffect> effects(const std::vector<double>& proposed,
+                                     const std::optional<Rational>& squared_detail) {
+  if (proposed.empty()) return {};
+  const auto spares = [&](double tolerance) {
+    const Rational t = rational_from(tolerance);
+    return !squared_detail || t * t < *squared_detail;
+  };
+  std::vector<ToleranceEffect> result;
+  const auto first_too_large = std::partition_point(proposed.begin(), proposed.end(), spares);
+  if (first_too_large != proposed.begin())
+    result.push_back({*std::prev(first_too_large),
+                      static_cast<std::size_t>(first_too_large - proposed.begin()), true});
+  if (first_too_large != proposed.end())
+    result.push_back({proposed.back(), proposed.size(), false});
+  return result;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const SegmentSet& input, const ExactComplex& complex,
+                   const DiagnoseOptions& options) {
+  if (options.within && sgn(*options.within) < 0)
+    throw Error(ErrorCode::BadInput, "the search distance is negative", {},
+                exact_text(*options.within));
+  Diagnosis result;
+  result.within = options.within ? *options.within : default_distance(complex);
+  const LineGraph graph(complex);
+  const diagnosing::NearEdges near(graph, result.within);
+  const diagnosing::Work work{
+      input, graph, near, result.within, result.within * result.within, options.most_listed};
+  const diagnosing::Tips tips = diagnosing::classify_tips(work);
+  Defects defects = diagnosing::duplicates_and_overlaps(work);
+  defects.append(diagnosing::dangling_lines(work, tips));
+  defects.append(diagnosing::near_misses(work, tips));
+  defects.append(diagnosing::bridges(work));
+  defects.append(diagnosing::slivers(work));
+  defects.append(diagnosing::short_edges(work));
+  defects.append(diagnosing::nearly_parallel_edges(work));
+  result.found = defects.found();
+  result.cut_short = defects.cut_short();
+  result.tips = tips.tips.size();
+  result.squared_detail = shortest_detail(graph, defects.accidents());
+  result.tolerances = effects(defects.proposed_tolerances(), result.squared_detail);
+  result.defects = defects.take_listed();
+  for (Defect& defect : result.defects) defect.message = diagnosing::describe(work, defect);
+  return result;
+}
+
+}  // namespace plumbline

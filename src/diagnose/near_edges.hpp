@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "diagnose/line_graph.hpp"
+
+namespace plumbline::diagnosing {
+
+/// An edge that may be near a vertex. **Rounded**: off by at most LineGraph::slack.
+struct NearEdge {
+  EdgeId edge;
+  double distance;
+  PointD foot;  ///< the nearest point
+};
+
+/// The exact distance of a vertex from an edge.
+struct Nearest {
+  Rational squared_distance;
+  VertexId end;  ///< the end of the edge that is nearest; none where its interior is
+  Point foot;    ///< the nearest point
+};
+Nearest nearest_on_edge(const ExactComplex& complex, VertexId v, EdgeId e);
+
+/// Finds the edges near a vertex: an R-tree on rounded boxes proposes.
+class NearEdges {
+ public:
+  /// Keeps a reference to the graph.
+  NearEdges(const LineGraph& graph, const Rational& within);
+  ~NearEdges();
+
+  struct Answer {
+    std::vector<NearEdge> edges;  ///< nearest first, then by index; none that ends at v
+    bool cut_short = false;       ///< whether further ones within the distance were left out
+  };
+  /// The edges within the distance, up to rounding; of more than kMostProposals those within a
+  /// smaller distance.
+  Answer near(VertexId v) const;
+
+  /// Bounds the work where the search distance is far larger than the drawing's features.
+  static constexpr std::size_t kMostProposals = 256;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+  const LineGraph& graph_;
+  double reach_;
+};
+
+}  // namespace plumbline::diagnosing

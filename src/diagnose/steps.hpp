@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "diagnose/line_graph.hpp"
+#include "diagnose/near_edges.hpp"
+#include "plumbline/diagnose.hpp"
+
+namespace plumbline::diagnosing {
+
+/// What every step looks at.
+struct Work {
+  const SegmentSet& input;
+  const LineGraph& graph;
+  const NearEdges& near;
+  Rational within;
+  Rational squared_within;
+  std::size_t most_listed;
+};
+
+/// Defects as they are found: counts all, keeps the most relevant ones.
+class Defects {
+ public:
+  explicit Defects(std::size_t most_listed) : most_listed_(most_listed) {}
+
+  void add(Defect defect);
+  /// More of a kind that are counted but not made.
+  void add_unlisted(DefectKind kind, std::size_t count, double proposed_tolerance);
+  /// An edge that is there by accident: its length is no detail of the drawing.
+  void add_accident(EdgeId e) { accidents_.push_back(e); }
+  void add_cut_short() { ++cut_short_; }
+  void append(Defects other);
+
+  /// At most `most_listed` of each kind, in the order of `diagnose`.
+  std::vector<Defect> take_listed();
+  const std::array<std::size_t, kDefectKinds>& found() const { return found_; }
+  /// Of all defects that have one, ascending.
+  std::vector<double> proposed_tolerances() const;
+  const std::vector<EdgeId>& accidents() const { return accidents_; }
+  std::size_t cut_short() const { return cut_short_; }
+
+ private:
+  void keep_most_relevant(std::vector<Defect>& defects) const;
+
+  std::size_t most_listed_;
+  std::array<std::vector<Defect>, kDefectKinds> listed_;
+  std::array<std::size_t, kDefectKinds> found_{};
+  std::vector<double> tolerances_;
+  std::vector<EdgeId> accidents_;
+  std::size_t cut_short_ = 0;
+};
+
+/// What a tip is, and why.
+struct Tip {
+  VertexId vertex;
+  DefectKind kind = DefectKind::Dangle;
+  VertexId partner;           ///< of Gap: the other tip
+  EdgeId edge;                ///< of Undershoot: the edge ahead
+  Rational squared_distance;  ///< of Gap and Undershoot
+};
+struct Tips {
+  std::vector<Tip> tips;  ///< by vertex
+  std::size_t cut_short = 0;
+  /// The tip v. Requires: v is one.
+  const Tip& at(VertexId v) const;
+};
+
+// The steps, in the order in which `diagnose` takes them.
+Defects duplicates_and_overlaps(const Work& work);
+Tips classify_tips(const Work& work);
+/// Whether a segment of a dangling line runs through the vertex where the line leaves the others.
+bool goes_beyond(const Work& work, const Chain& line);
+/// Gaps, undershoots, overshoots and dangles.
+Defects dangling_lines(const Work& work, const Tips& tips);
+Defects near_misses(const Work& work, const Tips& tips);
+Defects bridges(const Work& work);
+Defects slivers(const Work& work);
+Defects short_edges(const Work& work);
+Defects nearly_parallel_edges(const Work& work);
+/// One sentence on a defect whose other members are there; of a Dangle whether its line is the rest
+/// of one that crosses others.
+std::string describe(const Work& work, const Defect& defect);
+
+Point midpoint(const Point& p, const Point& q);
+
+}  // namespace plumbline::diagnosing

@@ -1,0 +1,145 @@
+// What each dangling end is: the nearest explanation wins.
+
+#include <algorithm>
+
+#include "diagnose/steps.hpp"
+
+namespace plumbline::diagnosing {
+namespace {
+
+struct Vector {
+  Rational x, y;
+};
+Vector from_to(const Point& p, const Point& q) { return {q.x - p.x, q.y - p.y}; }
+Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
+
+/// The direction in which the line ends at a tip.
+Vector direction(const LineGraph& graph, VertexId tip) {
+  const auto& vertices = graph.complex().vertices;
+  return from_to(vertices[graph.other_end(graph.edges(tip)[0], tip)], vertices[tip]);
+}
+
+/// Whether the angle is at most 60 degrees: its cosine at least 1/2.
+bool is_ahead(const Vector& direction, const Vector& to) {
+  const Rational along = dot(direction, to);
+  return sgn(along) > 0 && 4 * along * along >= dot(direction, direction) * dot(to, to);
+}
+
+/// Whether the angle is less than 30 degrees: its squared cosine more than 3/4.
+bool is_side_by_side(const Vector& u, const Vector& v) {
+  const Rational along = dot(u, v);
+  return sgn(along) > 0 && 4 * along * along > 3 * dot(u, u) * dot(v, v);
+}
+
+class Classifier {
+ public:
+  explicit Classifier(const Work& work) : work_(work), graph_(work.graph) {}
+
+  /// The tip, and whether the search for what is near it was cut short in vain.
+  std::pair<Tip, bool> classify(VertexId v) const {
+    const Chain line = graph_.chain(v, graph_.edges(v)[0]);
+    const NearEdges::Answer near = work_.near.near(v);
+    Tip tip;
+    tip.vertex = v;
+    find_nearest(tip, line, near);
+    const bool is_found = tip.kind != DefectKind::Dangle;
+    if (is_overshoot(line) && (!is_found || is_shorter(line, tip.squared_distance)))
+      tip.kind = DefectKind::Overshoot;
+    return {tip, near.cut_short && tip.kind == DefectKind::Dangle};
+  }
+
+ private:
+  void find_nearest(Tip& tip, const Chain& line, const NearEdges::Answer& near) const {
+    const ExactComplex& complex = graph_.complex();
+    const Vector end = direction(graph_, tip.vertex);
+    for (const NearEdge& candidate : near.edges) {
+      const bool is_found = tip.kind != DefectKind::Dangle;
+      if (is_found && candidate.distance > nearest_sqrt(tip.squared_distance) + 2 * graph_.slack())
+        break;
+      Nearest found = nearest_on_edge(complex, tip.vertex, candidate.edge);
+      const VertexId partner = end_to_join(line, end, found, candidate.edge);
+      if (partner.valid())
+        found.squared_distance =
+            squared_distance(complex.vertices[tip.vertex], complex.vertices[partner]);
+      if (found.squared_distance > work_.squared_within) continue;
+      if (is_found && found.squared_distance >= tip.squared_distance) continue;
+      const Vector ahead = from_to(complex.vertices[tip.vertex], found.foot);
+      if (!partner.valid() && (is_tip(found.end) || !is_ahead(end, ahead))) continue;
+      tip.kind = partner.valid() ? DefectKind::Gap : DefectKind::Undershoot;
+      tip.partner = partner;
+      tip.edge = candidate.edge;
+      tip.squared_distance = std::move(found.squared_distance);
+    }
+  }
+
+  bool is_tip(VertexId v) const { return v.valid() && graph_.is_tip(v); }
+
+  /// The other tip where the edge dangles as well and ends near enough; none else.
+  VertexId end_to_join(const Chain& line, const Vector& end, const Nearest& found,
+                       EdgeId candidate) const {
+    if (found.squared_distance > work_.squared_within) return {};
+    const ExactComplex& complex = graph_.complex();
+    const Point& p = complex.vertices[line.first];
+    VertexId best;
+    for (const VertexId v : {complex.edges[candidate].tail, complex.edges[candidate].head}) {
+      if (!graph_.is_tip(v) || !can_join(line, end, v)) continue;
+      if (squared_distance(p, complex.vertices[v]) > work_.squared_within) continue;
+      if (best.valid() &&
+          squared_distance(p, complex.vertices[v]) >= squared_distance(p, complex.vertices[best]))
+        continue;
+      best = v;
+    }
+    return best;
+  }
+
+  bool can_join(const Chain& line, const Vector& end, VertexId other) const {
+    if (is_side_by_side(end, direction(graph_, other))) return false;
+    // The ends of a line that is itself as small are no gap.
+    return line.last != other || !graph_.is_within(line, work_.within);
+  }
+
+  bool is_overshoot(const Chain& line) const {
+    return goes_beyond(work_, line) && graph_.is_within(line, work_.within);
+  }
+
+  /// Whether the line is shorter than the root of `squared`: multiply both by that root.
+  bool is_shorter(const Chain& line, const Rational& squared) const {
+    Roots scaled;
+    for (const EdgeId e : line.edges) scaled.add(graph_.squared_length(e) * squared);
+    return scaled.compare(squared) < 0;
+  }
+
+  const Work& work_;
+  const LineGraph& graph_;
+};
+
+}  // namespace
+
+bool goes_beyond(const Work& work, const Chain& line) {
+  if (work.graph.degree(line.last) < 3) return false;
+  const Point& junction = work.graph.complex().vertices[line.last];
+  const auto sources = work.graph.complex().edge_sources[line.edges.back()];
+  return std::any_of(sources.begin(), sources.end(), [&](SegmentId s) {
+    const Segment segment = work.input.segments[s];
+    return segment.a != junction && segment.b != junction;
+  });
+}
+
+const Tip& Tips::at(VertexId v) const {
+  return *std::partition_point(tips.begin(), tips.end(),
+                               [&](const Tip& tip) { return tip.vertex < v; });
+}
+
+Tips classify_tips(const Work& work) {
+  Tips result;
+  const Classifier classifier(work);
+  for (std::size_t v = 0; v < work.graph.complex().vertices.size(); ++v) {
+    if (!work.graph.is_tip(VertexId(v))) continue;
+    auto [tip, cut_short] = classifier.classify(VertexId(v));
+    result.tips.push_back(std::move(tip));
+    result.cut_short += cut_short ? 1 : 0;
+  }
+  return result;
+}
+
+}  // namespace plumbline::diagnosing

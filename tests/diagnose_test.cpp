@@ -1,0 +1,277 @@
+#include "plumbline/diagnose.hpp"
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <random>
+
+#include "diagnose/roots.hpp"
+#include "plumbline/arrange.hpp"
+#include "plumbline/error.hpp"
+#include "plumbline/structure.hpp"
+#include "support/segments.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Diagnosis diagnosis(const SegmentSet& set, const std::string& within,
+                    std::size_t most_listed = 1000) {
+  return diagnose(set, arrange(set), {parse_decimal(within), most_listed});
+}
+
+/// One defect a line: kind, place, square of the size (or area), tolerance, lines of the segments.
+std::string list(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const Defect& defect : diagnosis.defects) {
+    text += to_text(defect.kind) + " at " + to_text(defect.where);
+    if (defect.squared_size) text += " squared " + exact_text(*defect.squared_size);
+    if (defect.area) text += " area " + exact_text(*defect.area);
+    if (!defect.squared_size) text += " size " + shortest_text(defect.size);
+    if (defect.proposed_tolerance)
+      text += " tolerance " + shortest_text(*defect.proposed_tolerance);
+    text += " of";
+    for (const SegmentId s : defect.segments) text += ' ' + std::to_string(s + 1);
+    text += '\n';
+  }
+  return text;
+}
+std::string list(const std::string& drawing, const std::string& within) {
+  return list(diagnosis(segments(drawing), within));
+}
+
+const std::string kRoom = rectangle(0, 0, 10, 10);  // segments 1 to 4
+
+}  // namespace
+
+TEST_CASE("a drawing of closed rooms has no defects") {
+  CHECK(list(kRoom + "5 0 5 10  0 5 5 5", "1") == "");
+  const SegmentSet rooms = segments(kRoom + "5 0 5 10");
+  const Diagnosis result = diagnose(rooms, arrange(rooms));
+  CHECK(result.within == Rational(1, 100));
+  CHECK(result.tips == 0);
+  CHECK(result.tolerances.empty());
+  CHECK(result.squared_detail == Rational(25));
+}
+
+TEST_CASE("equal segments are duplicates, one defect a group, in either direction") {
+  CHECK(list(kRoom + "0 0 10 0  10 0 0 0  0 10 0 0", "1") ==
+        "duplicate at 0 5 squared 100 tolerance 0 of 4 7\n"
+        "duplicate at 5 0 squared 100 tolerance 0 of 1 5 6\n");
+}
+
+TEST_CASE("collinear segments that share more than a point overlap") {
+  // 0..6 and 4..10 share 4..6; both contain 5..5.5, which is drawn twice.
+  CHECK(list("0 0 6 0  4 0 10 0  5 0 5.5 0  5.5 0 5 0  0 0 0 9  10 0 0 9", "0.1") ==
+        "duplicate at 5.25 0 squared 0.25 tolerance 0 of 3 4\n"
+        "overlap at 5 0 squared 4 tolerance 0 of 1 2\n"
+        "overlap at 5.25 0 squared 0.25 tolerance 0 of 1 3\n"
+        "overlap at 5.25 0 squared 0.25 tolerance 0 of 2 3\n");
+}
+
+TEST_CASE("two lines that end near each other leave a gap") {
+  // The ring does not close: (0, 0) and (0.3, 0.4) are 1/2 apart.
+  const std::string ring = "0 0 10 0  10 0 10 10  10 10 0 10  0 10 0.3 0.4";
+  CHECK(list(ring, "0.5") == "gap at 0.15 0.2 squared 0.25 tolerance 0.5 of 1 4\n");
+  CHECK(list(ring, "0.499") ==
+        "undershoot at 0.3 0.4 squared 0.16 tolerance 0.4 of 1 4\n"
+        "dangle at 0 0 size " +
+            shortest_text(30 + std::hypot(0.3, 9.6)) + " of 1 2 3 4\n");
+  // The ends of a double line run side by side: no gap.
+  CHECK(list(kRoom + "2 0 2 5  2.1 0 2.1 5", "0.2").find("gap") == std::string::npos);
+}
+
+TEST_CASE("a line that ends short of another one is an undershoot") {
+  CHECK(list(kRoom + "5 0 5 9.75", "0.25") ==
+        "undershoot at 5 9.75 squared 0.0625 tolerance 0.25 of 3 5\n");
+  // Slanted: (5, 9) is 1 / sqrt(2) away from the line of slope 1 through (5, 10).
+  CHECK(list("0 5 10 15  10 15 10 0  10 0 0 5  5 2.5 5 9", "1") ==
+        "undershoot at 5 9 squared 0.5 tolerance 0.7071067811865476 of 1 4\n");
+}
+
+TEST_CASE("a line that runs beyond one that it crosses is an overshoot") {
+  CHECK(list(kRoom + "5 0 5 10.25", "0.25") ==
+        "overshoot at 5 10.25 squared 0.0625 tolerance 0.25 of 5\n");
+  // A tick of its own is a dangle.
+  CHECK(list(kRoom + "5 10 5 10.25", "0.25") ==
+        "dangle at 5 10.25 squared 0.0625 tolerance 0.25 of 5\n");
+}
+
+TEST_CASE("the nearest explanation of a loose end wins") {
+  // 0.2 beyond the one line, 0.1 short of the next.
+  CHECK(
+      list(kRoom + rectangle(-5, -5, 20, 20) + "0 10.3 10 10.3  10.3 0 10.3 10  5 0 5 10.2", "0.35")
+          .find("undershoot at 5 10.2 squared 0.01 tolerance 0.1") != std::string::npos);
+}
+
+TEST_CASE("a corner near a line that it does not touch is a near-miss") {
+  // The triangle's corner (5, 9.5) is 1/2 below the room's upper side.
+  CHECK(list(kRoom + "3 3 7 3  7 3 5 9.5  5 9.5 3 3", "0.5") ==
+        "near-miss at 5 9.5 squared 0.25 tolerance 0.5 of 3 6 7\n");
+  // Two corners, 0.3 and 0.4 apart: one defect, at their middle.
+  CHECK(list(kRoom + rectangle(20, 20, 30, 30) + "10 10 19.7 19.6  19.7 19.6 30 5  30 5 10 10",
+             "0.5") == "near-miss at 19.85 19.8 squared 0.25 tolerance 0.5 of 5 8 9 10\n");
+}
+
+TEST_CASE("what a short way along the lines explains is no near-miss") {
+  // A room with a small niche, and a circle in fine chords.
+  CHECK(list("0 0 4 0  4 0 4 -1  4 -1 5 -1  5 -1 5 0  5 0 9 0  9 0 9 9  9 9 0 9  0 9 0 0", "2") ==
+        "");
+  std::string circle;
+  for (int i = 0; i < 72; ++i) {
+    const double a = i * 5 * 3.14159265358979 / 180, b = (i + 1) % 72 * 5 * 3.14159265358979 / 180;
+    for (const double t : {a, b})
+      circle += shortest_text(std::cos(t)) + ' ' + shortest_text(std::sin(t)) + ' ';
+  }
+  CHECK(list(circle, "0.2") == "");
+}
+
+TEST_CASE("a line with a loose end dangles, one with two is one defect") {
+  CHECK(list(kRoom + "5 0 5 3  5 3 6 4", "0.1") ==
+        "dangle at 6 4 size " + shortest_text(3 + std::sqrt(2.0)) + " of 5 6\n");
+  CHECK(list("0 0 3 4", "0.1") == "dangle at 0 0 squared 25 of 1\n");
+  const Diagnosis free_line = diagnosis(segments("0 0 3 4"), "0.1");
+  CHECK(free_line.tips == 2);
+  CHECK(free_line.defects.at(0).vertices.size() == 2);
+}
+
+TEST_CASE("messages say what a CAD user sees") {
+  const auto message = [](const std::string& drawing) {
+    return diagnosis(segments(drawing), "0.5").defects.at(0).message;
+  };
+  CHECK(message(kRoom + "5 0 5 10.25") == "a line goes 0.25 beyond the one that it crosses");
+  CHECK(message(kRoom + "5 0 5 12") == "a line goes 2 beyond the last one that it crosses");
+  CHECK(message(kRoom + "5 10 5 12") == "a line of length 2 has a loose end");
+  CHECK(message("0 0 3 4  3 4 3 6") == "a line of length 7, in 2 edges has two loose ends");
+  CHECK(message(kRoom + "0 0 10 0") == "2 equal segments of length 10");
+}
+
+TEST_CASE("a bridge is the only connection of two closed parts") {
+  CHECK(list(kRoom + rectangle(20, 0, 30, 10) + "10 5 20 5", "0.1") ==
+        "bridge at 15 5 squared 100 of 9\n");
+  // In a room, to a column; in two edges. What dangles from a bridge does not end it.
+  CHECK(list(kRoom + rectangle(4, 4, 6, 6) + "0 5 2 5  2 5 4 5", "0.1") ==
+        "bridge at 3 5 size 4 of 9 10\n");
+  // A tree dangles, whatever its stem looks like.
+  CHECK(list(kRoom + "0 5 2 5  2 5 3 6  2 5 3 4", "0.1") ==
+        "dangle at 3 4 squared 2 of 7\ndangle at 3 6 squared 2 of 6\n");
+}
+
+TEST_CASE("a thin long face is a sliver, a small square none") {
+  // 10 x 0.25: area 5/2, perimeter 20.5.
+  CHECK(list(kRoom + "0 9.75 10 9.75", "0.25") ==
+        "sliver at 5 9.875 area 2.5 size " + shortest_text(5 / 20.5) +
+            " of 2 3 4 5\n"
+            "short edge at 0 9.875 squared 0.0625 tolerance 0.25 of 4\n"
+            "short edge at 10 9.875 squared 0.0625 tolerance 0.25 of 2\n");
+  CHECK(list(rectangle(0, 0, 1, 1) + rectangle(5, 5, 95, 95), "2") == "");
+  // The ratio of sides w + 1 / w + 2 = 10 is reached at w = 4 + sqrt(15) = 7.87.
+  CHECK(list("0 0 787 0  787 0 787 100  787 100 0 100  0 100 0 0", "90") == "");
+  CHECK(list("0 0 788 0  788 0 788 100  788 100 0 100  0 100 0 0", "90").substr(0, 6) == "sliver");
+}
+
+TEST_CASE("an edge shorter than the distance is short unless it continues a fine line") {
+  CHECK(list(kRoom + "5 0 5 10  5.5 0 5.5 10", "0.5").find("short edge at 5.25 0 squared 0.25") !=
+        std::string::npos);
+}
+
+TEST_CASE("lines that cross or meet at a tiny angle are nearly parallel, once a crossing") {
+  // Slopes 0 and 1/100: squared sine 1 / 10001.
+  const std::string crossing = "-100 0 100 0  -100 -1 100 1  ";
+  const std::string frame = "-100 -1 -100 0  100 0 100 1";
+  CHECK(list(crossing + frame, "0.1") == "nearly parallel at 0 0 squared 1/10001 of 1 2\n");
+  CHECK(list("-100 0 100 0  -99 -1 99 1  -99 -1 -100 0  100 0 99 1", "0.1") == "");
+}
+
+TEST_CASE("hostile drawings are diagnosed") {
+  CHECK(list("", "1") == "");
+  const SegmentSet nothing;
+  CHECK(diagnose(nothing, arrange(nothing)).within == 0);
+  CHECK(list("+ 3 4", "1") == "");
+  CHECK(list("+ 0 0  + 0 1  + 5 5", "1") == "near-miss at 0 0.5 squared 1 tolerance 1 of\n");
+  CHECK(list("0 0 1e90 0  1e90 0 1e90 1e90  1e90 1e90 0 1", "2") ==
+        "gap at 0 0.5 squared 1 tolerance 1 of 1 3\n");
+  const SegmentSet line = segments("0 0 1 1");
+  CHECK_THROWS_AS(diagnose(line, arrange(line), {Rational(-1)}), Error);
+}
+
+TEST_CASE("of very many defects some are listed and all are counted") {
+  SegmentSet pile;
+  for (int i = 0; i < 3000; ++i) {
+    pile.add({Point{0, 0}, Point{1, 1}}, SourceId());
+    pile.add({Point{-i, 5}, Point{i + 1, 5}}, SourceId());  // each within the next
+  }
+  const Diagnosis result = diagnosis(pile, "0", 10);
+  CHECK(result.count(DefectKind::Duplicate) == 1);
+  CHECK(result.count(DefectKind::Overlap) == 3000 * 2999 / 2);
+  CHECK(result.count(DefectKind::Dangle) == 1 + 1);
+  CHECK(result.defects.size() == 1 + 10 + 2);
+}
+
+TEST_CASE("tolerances say what they mend and what they destroy") {
+  // A gap of 1/4, an undershoot of 1/2, and an edge of 3/8 of a fine line: a notch.
+  const std::string drawing =
+      "0 0 10 0  10 0 10 10  10 10 0 10  0 10 0 0.25  5 0 5 9.5  "
+      "20 0 30 0  30 0 30 0.375  30 0.375 30.375 0.375  30.375 0.375 30.375 9  30.375 9 20 0";
+  const Diagnosis result = diagnosis(segments(drawing), "1");
+  REQUIRE(result.tolerances.size() == 2);
+  CHECK(result.squared_detail == Rational(9, 64));
+  CHECK(result.tolerances[0].tolerance == 0.25);
+  CHECK(result.tolerances[0].mended == 1);
+  CHECK(result.tolerances[0].spares_detail);
+  CHECK(result.tolerances[1].tolerance == 0.5);
+  CHECK(result.tolerances[1].mended == 2);
+  CHECK_FALSE(result.tolerances[1].spares_detail);
+}
+
+TEST_CASE("sums of square roots are compared exactly") {
+  using diagnosing::Roots;
+  CHECK(Roots({4, Rational(9, 4)}).compare(Rational(7, 2)) == 0);
+  // sqrt(2) + sqrt(3) = 3.146264369941972342...
+  const Rational decimal = parse_decimal("3.14626436994197234");
+  CHECK(Roots({2, 3}).compare(decimal) > 0);
+  CHECK(Roots({2, 3}).compare(decimal + parse_decimal("1e-17")) < 0);
+  CHECK(Roots().compare(0) == 0);
+  CHECK(Roots({2}).rounded_up() == 1.4142135623730951);  // sqrt(2) = 1.41421356237309504...
+  CHECK(Roots({3}).rounded_up() == 1.7320508075688774);  // sqrt(3) = 1.73205080756887729...
+  CHECK(Roots({Rational(1, 100)}).rounded_up() == 0.1);  // the double 0.1 is a little more
+}
+
+TEST_CASE("order, direction and repetition of segments change nothing; similarities scale") {
+  std::mt19937 random(5);
+  for (int round = 0; round < 40; ++round) {
+    SegmentSet set;
+    const auto coordinate = [&] { return Rational(static_cast<int>(random() % 40), 4); };
+    for (int i = 0; i < 25; ++i)
+      set.add({Point{coordinate(), coordinate()}, Point{coordinate(), coordinate()}}, SourceId());
+    const auto facts = [](const Diagnosis& result, const Rational& scale) {
+      std::map<std::string, int> text;
+      for (const Defect& d : result.defects) {
+        if (d.kind == DefectKind::Duplicate) continue;
+        ++text[to_text(d.kind) + ' ' +
+               (d.squared_size && d.kind != DefectKind::NearlyParallel
+                    ? exact_text(*d.squared_size / (scale * scale))
+                    : "") +
+               (d.area ? exact_text(*d.area / (scale * scale)) : "")];
+      }
+      return text;
+    };
+    const auto expected = facts(diagnosis(set, "0.5"), 1);
+    const std::string listed = list(diagnosis(set, "0.5"));
+
+    SegmentSet other = set;
+    other.segments = reversed(shuffled(set.segments, random));
+    const Diagnosis shuffled_result = diagnosis(other, "0.5");
+    CHECK(facts(shuffled_result, 1) == expected);
+
+    SegmentSet twice = set;
+    for (const Segment& s : set.segments) twice.add(s, SourceId());
+    CHECK(facts(diagnosis(twice, "0.5"), 1) == expected);
+
+    SegmentSet turned;  // turned by the angle of 3-4-5, five times as large, moved
+    const auto image = [](const Point& p) {
+      return Point{3 * p.x - 4 * p.y + 17, 4 * p.x + 3 * p.y - Rational(1, 3)};
+    };
+    for (const Segment& s : set.segments) turned.add({image(s.a), image(s.b)}, SourceId());
+    CHECK(facts(diagnosis(turned, "2.5"), 5) == expected);
+  }
+}
