@@ -134,6 +134,14 @@ expect "an unknown picture names the known ones" 2 'pruning' "$plumbline" lar c.
 expect "the unit square is for drawings with extent, as published" 2 'width and height' "$plumbline" lar flat.lines --variant published --unit-square
 expect "and for all drawings, as repaired" 0 '2 vertices, 1 edges' "$plumbline" lar flat.lines --unit-square
 rm -f t.json p.svg empty.lines flat.lines
+printf '0,0,10,0\n10,0,10,10\n10,10,0,10\n0,10,0,0\n5,0,5,9.75\n' >short.lines
+expect "a diagnosis names defects, sizes and elements" 0 'undershoot +1.*a line ends 0.25 short of another one.*short.lines:5' "$plumbline" info short.lines --diagnose --within 1/4 -o d.json --picture d.svg
+expect "the search distance decides" 0 'undershoot +0' "$plumbline" info short.lines --diagnose --within 0.2
+expect "the diagnosis as JSON" 0 'plumbline diagnosis 1' cat d.json
+expect "a negative search distance is refused" 2 'negative.*-1' "$plumbline" info short.lines --diagnose --within -1
+expect "a search distance is for the diagnosis" 2 'diagnose' "$plumbline" info short.lines --within 1
+expect "a diagnosis does not overwrite its drawing" 2 'ends in .json' "$plumbline" info short.lines --diagnose -o short.lines
+rm -f d.json d.svg short.lines
 if [[ -e /dev/full ]]; then
   expect "a full disk is an error" 2 'standard output' bash -c "'$plumbline' info c.lines >/dev/full"
 fi

@@ -190,6 +190,7 @@ TEST_CASE("hostile drawings are diagnosed") {
   CHECK(list("+ 0 0  + 0 1  + 5 5", "1") == "near-miss at 0 0.5 squared 1 tolerance 1 of\n");
   CHECK(list("0 0 1e90 0  1e90 0 1e90 1e90  1e90 1e90 0 1", "2") ==
         "gap at 0 0.5 squared 1 tolerance 1 of 1 3\n");
+  CHECK(list("0 0 1 1", "1e4000") == "dangle at 0 0 squared 2 tolerance 1.4142135623730951 of 1\n");
   const SegmentSet line = segments("0 0 1 1");
   CHECK_THROWS_AS(diagnose(line, arrange(line), {Rational(-1)}), Error);
 }

@@ -83,8 +83,8 @@ struct Diagnosis {
   std::size_t tips = 0;  ///< vertices of degree 1
   /// The shortest edge that is part of no defect, squared; none without such an edge.
   std::optional<Rational> squared_detail;
-  /// The largest tolerance that spares all detail, and the one that mends all that can be mended;
-  /// ascending, different ones only. Empty without a proposed tolerance.
+  /// Of the proposed tolerances the largest one of each decade, and the largest that spares all
+  /// detail; ascending. The last one mends all that can be mended.
   std::vector<ToleranceEffect> tolerances;
   /// Vertices around which so much is near that the search was cut short: defects there can be
   /// missing. 0 unless the search distance is far too large for the drawing.

@@ -38,7 +38,7 @@ std::string report_text(const Diagnosis& diagnosis, const SegmentSet& input,
                         std::size_t limit = 20);
 /// The same as JSON, all that are listed. Documented in docs/json.md.
 std::string report_json(const Diagnosis& diagnosis, const SegmentSet& input);
-/// The drawing with the defects marked by their numbers.
+/// A panel for each kind that was found: the drawing with the defects marked by their numbers.
 std::string report_svg(const Diagnosis& diagnosis, const SegmentSet& input,
                        const ExactComplex& complex);
 

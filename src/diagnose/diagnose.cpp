@@ -2,7 +2,10 @@
 
 #include "plumbline/diagnose.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 
 #include "diagnose/steps.hpp"
 #include "plumbline/error.hpp"
@@ -44,20 +47,31 @@ std::optional<Rational> shortest_detail(const LineGraph& graph,
   return shortest;
 }
 
+/// The exponent of ten of a positive number.
+int decade(double value) {
+  const std::string text = fmt::format("{:.16e}", value);
+  return std::stoi(text.substr(text.find('e') + 1));
+}
+
+/// The largest of each decade, and the largest that spares all detail.
 std::vector<ToleranceEffect> effects(const std::vector<double>& proposed,
                                      const std::optional<Rational>& squared_detail) {
-  if (proposed.empty()) return {};
   const auto spares = [&](double tolerance) {
     const Rational t = rational_from(tolerance);
     return !squared_detail || t * t < *squared_detail;
   };
+  const auto end_of_sparing = static_cast<std::size_t>(
+      std::partition_point(proposed.begin(), proposed.end(), spares) - proposed.begin());
   std::vector<ToleranceEffect> result;
-  const auto first_too_large = std::partition_point(proposed.begin(), proposed.end(), spares);
-  if (first_too_large != proposed.begin())
-    result.push_back({*std::prev(first_too_large),
-                      static_cast<std::size_t>(first_too_large - proposed.begin()), true});
-  if (first_too_large != proposed.end())
-    result.push_back({proposed.back(), proposed.size(), false});
+  for (std::size_t mended = 1; mended <= proposed.size(); ++mended) {
+    const double tolerance = proposed[mended - 1];
+    const bool is_last = mended == proposed.size();
+    if (!is_last && proposed[mended] == tolerance) continue;
+    const bool ends_decade =
+        is_last || tolerance == 0 || decade(tolerance) != decade(proposed[mended]);
+    if (ends_decade || mended == end_of_sparing)
+      result.push_back({tolerance, mended, mended <= end_of_sparing});
+  }
   return result;
 }
 

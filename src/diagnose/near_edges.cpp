@@ -16,6 +16,8 @@ using TreeValue = std::pair<TreeBox, std::uint32_t>;
 
 constexpr std::size_t kNodeSize = 16;
 constexpr double kRelativeMargin = 1e-12;  // more than rounding can do to a radius
+// Four times the largest coordinate, in slacks: beyond every edge.
+constexpr double kLargestReach = 0x1p48;
 
 PointD nearest_point(const PointD& p, const PointD& a, const PointD& b) {
   const double length = std::hypot(b.x - a.x, b.y - a.y);
@@ -50,7 +52,7 @@ struct NearEdges::Tree {
 };
 
 NearEdges::NearEdges(const LineGraph& graph, const Rational& within)
-    : graph_(graph), reach_(nearest_double(within)) {
+    : graph_(graph), reach_(std::min(nearest_double(within), kLargestReach * graph.slack())) {
   std::vector<TreeValue> values;
   const std::vector<Edge>& edges = graph.complex().edges;
   values.reserve(edges.size());

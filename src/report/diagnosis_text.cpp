@@ -62,11 +62,11 @@ void append_defects(std::string& text, const SegmentSet& input, const Diagnosis&
 
 void append_tolerances(std::string& text, const Diagnosis& diagnosis) {
   if (diagnosis.tolerances.empty()) return;
-  text += '\n';
+  fmt::format_to(Out(text), "\na tolerance of  mends of {} defects that one can mend\n",
+                 diagnosis.tolerances.back().mended);
   for (const ToleranceEffect& effect : diagnosis.tolerances)
-    fmt::format_to(Out(text), "tolerance {} mends {} of {} defects that a tolerance can mend{}\n",
-                   number(effect.tolerance), effect.mended, diagnosis.tolerances.back().mended,
-                   effect.spares_detail ? "" : ", and destroys edges that are no defects");
+    fmt::format_to(Out(text), "  {:<12}{:>8}{}\n", number(effect.tolerance), effect.mended,
+                   effect.spares_detail ? "" : "  and destroys edges that are no defects");
   if (diagnosis.squared_detail)
     fmt::format_to(Out(text), "the shortest edge that is part of no defect is {} long\n",
                    number(nearest_sqrt(*diagnosis.squared_detail)));
