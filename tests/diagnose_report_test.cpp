@@ -1,6 +1,9 @@
 #include <rapidjson/document.h>
+#include <rapidjson/schema.h>
 
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
 #include <pugixml.hpp>
 
 #include "plumbline/arrange.hpp"
@@ -21,7 +24,38 @@ struct Example {
   }
 };
 
+rapidjson::Document parsed(const std::string& text) {
+  rapidjson::Document document;
+  document.Parse(text.c_str());
+  REQUIRE(!document.HasParseError());
+  return document;
+}
+
+bool fits_schema(const rapidjson::Document& document) {
+  std::ifstream file(PLUMBLINE_DIAGNOSIS_SCHEMA);
+  const rapidjson::Document text =
+      parsed(std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()));
+  const rapidjson::SchemaDocument schema(text);
+  rapidjson::SchemaValidator validator(schema);
+  return document.Accept(validator);
+}
+
 }  // namespace
+
+TEST_CASE("the JSON fits its schema, which refuses what is no diagnosis") {
+  const auto drawing = GENERATE(
+      as<std::string>(), "", "+ 1 2  + 1 2.001", "0 0 1 0  0 0 1 0  0.5 0 2 0  1 0.001 3 0.0011",
+      "0 0 1e60 1  5 0 5 1e60  0 1 1e60 1", "0 0 9 0  9 0 9 1/300  9 1/300 0 0  4 -2 4 1/299");
+  for (const std::optional<Rational>& within :
+       {std::optional<Rational>(), std::optional<Rational>(2)}) {
+    const SegmentSet input = segments(drawing);
+    rapidjson::Document json =
+        parsed(report_json(diagnose(input, arrange(input), {within}), input));
+    CHECK(fits_schema(json));
+    json["counts"].RemoveMember("bridge");
+    CHECK_FALSE(fits_schema(json));
+  }
+}
 
 TEST_CASE("the text counts all kinds, then lists each with its elements") {
   const Example example;
@@ -40,9 +74,7 @@ TEST_CASE("the text counts all kinds, then lists each with its elements") {
 
 TEST_CASE("the JSON has exact sizes, cells and sources") {
   const Example example;
-  rapidjson::Document json;
-  json.Parse(report_json(example.diagnosis(), example.input).c_str());
-  REQUIRE(!json.HasParseError());
+  const rapidjson::Document json = parsed(report_json(example.diagnosis(), example.input));
   CHECK(std::string(json["format"].GetString()) == "plumbline diagnosis 1");
   CHECK(std::string(json["within"]["exact"].GetString()) == "0.25");
   CHECK(json["counts"].MemberCount() == kDefectKinds);

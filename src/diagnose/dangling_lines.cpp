@@ -27,9 +27,8 @@ Defect near_end(const Work& work, const Tip& tip) {
   return defect;
 }
 
-Defect dangling(const Work& work, const Tip& tip) {
+Defect dangling(const Work& work, const Tip& tip, const Chain& line) {
   const LineGraph& graph = work.graph;
-  Chain line = graph.chain(tip.vertex, graph.edges(tip.vertex)[0]);
   const Roots length = graph.length(line);
   Defect defect;
   defect.kind = tip.kind;
@@ -39,7 +38,7 @@ Defect dangling(const Work& work, const Tip& tip) {
   defect.size = length.rounded();
   if (graph.is_within(line, work.within)) defect.proposed_tolerance = length.rounded_up();
   defect.segments = graph.segments(line.edges);
-  defect.edges = std::move(line.edges);
+  defect.edges = line.edges;
   return defect;
 }
 
@@ -61,19 +60,18 @@ bool is_told_by_other(const Work& work, const Tips& tips, const Tip& tip) {
 Defects dangling_lines(const Work& work, const Tips& tips) {
   Defects result(work.most_listed);
   for (const Tip& tip : tips.tips) {
+    const Chain line = work.graph.chain(tip.vertex, work.graph.edges(tip.vertex)[0]);
+    if (work.graph.is_within(line, work.within))
+      for (const EdgeId e : line.edges) result.add_accident(e);
     if (is_told_by_other(work, tips, tip)) continue;
     if (tip.kind == DefectKind::Gap || tip.kind == DefectKind::Undershoot) {
       result.add(near_end(work, tip));
       continue;
     }
-    Defect defect = dangling(work, tip);
-    if (tip.kind == DefectKind::Overshoot)
-      for (const EdgeId e : defect.edges) result.add_accident(e);
-    if (tip.kind == DefectKind::Dangle) {
-      const VertexId last = work.graph.chain(tip.vertex, defect.edges[0]).last;
-      if (work.graph.is_tip(last) && tips.at(last).kind == DefectKind::Dangle)
-        defect.vertices.push_back(last);
-    }
+    Defect defect = dangling(work, tip, line);
+    if (tip.kind == DefectKind::Dangle && work.graph.is_tip(line.last) &&
+        tips.at(line.last).kind == DefectKind::Dangle)
+      defect.vertices.push_back(line.last);
     result.add(std::move(defect));
   }
   for (std::size_t i = 0; i < tips.cut_short; ++i) result.add_cut_short();
