@@ -92,9 +92,9 @@ void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments) {
 }  // namespace
 
 ExitCode run(const InfoArguments& arguments) {
-  check_outputs(arguments.file, {{arguments.plot, {".svg"}},
-                                 {arguments.output, {".json"}},
-                                 {arguments.picture, {".svg"}}});
+  check_outputs(
+      arguments.file,
+      {{arguments.plot, {".svg"}}, {arguments.output, {".json"}}, {arguments.picture, {".svg"}}});
   const Drawing drawing = load(arguments);
   fmt::print("drawing      {}: {} elements, {} segments, {} rejected\n", arguments.file,
              drawing.input.sources.size(), drawing.input.segments.size(),

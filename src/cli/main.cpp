@@ -67,6 +67,39 @@ void add_plot(CLI::App& command, std::optional<std::string>& plot) {
       ->type_name("FILE");
 }
 
+void add_advice(CLI::App& command, CheckArguments& arguments) {
+  CLI::Option* advice = command.add_flag_callback(
+      "--advice", [&] { arguments.advice = true; },
+      "Look for the radii that float LAR is right with: a dozen more runs [default: for up to "
+      "20,000 edges]");
+  command
+      .add_flag_callback(
+          "--no-advice", [&] { arguments.advice = false; }, "Do not, even for small drawings")
+      ->excludes(advice);
+  add_plot(command, arguments.plot);
+}
+
+template <class Arguments>
+CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
+                      const char* description, const char* examples, ExitCode& exit_code) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->footer(examples);
+  add_input(*command, arguments);
+  command
+      ->add_option_function<std::string>(
+          "--engine",
+          [&](const std::string& engine) {
+            arguments.engine = engine == "cgal" ? Engine::Cgal : Engine::Bucket;
+          },
+          "Arrange with bucket (the default) or cgal (the reference, slower)")
+      ->check(CLI::IsMember({"cgal", "bucket"}))
+      ->type_name("ENGINE");
+  add_threads(*command, arguments.threads);
+  command->add_flag("--verify", arguments.verify, "Arrange with both engines and compare");
+  command->callback([&] { exit_code = run(arguments); });
+  return command;
+}
+
 void add_info_command(CLI::App& app, InfoArguments& arguments, ExitCode& exit_code) {
   CLI::App* command = add_command(
       app, arguments, "info", "What a drawing holds: counts, extent, repetitions, feature size",
@@ -99,39 +132,6 @@ void add_info_command(CLI::App& app, InfoArguments& arguments, ExitCode& exit_co
   command->add_option("--picture", arguments.picture, "Draw the defects to an SVG file")
       ->needs(diagnose)
       ->type_name("FILE");
-}
-
-void add_advice(CLI::App& command, CheckArguments& arguments) {
-  CLI::Option* advice = command.add_flag_callback(
-      "--advice", [&] { arguments.advice = true; },
-      "Look for the radii that float LAR is right with: a dozen more runs [default: for up to "
-      "20,000 edges]");
-  command
-      .add_flag_callback(
-          "--no-advice", [&] { arguments.advice = false; }, "Do not, even for small drawings")
-      ->excludes(advice);
-  add_plot(command, arguments.plot);
-}
-
-template <class Arguments>
-CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name,
-                      const char* description, const char* examples, ExitCode& exit_code) {
-  CLI::App* command = app.add_subcommand(name, description);
-  command->footer(examples);
-  add_input(*command, arguments);
-  command
-      ->add_option_function<std::string>(
-          "--engine",
-          [&](const std::string& engine) {
-            arguments.engine = engine == "cgal" ? Engine::Cgal : Engine::Bucket;
-          },
-          "Arrange with bucket (the default) or cgal (the reference, slower)")
-      ->check(CLI::IsMember({"cgal", "bucket"}))
-      ->type_name("ENGINE");
-  add_threads(*command, arguments.threads);
-  command->add_flag("--verify", arguments.verify, "Arrange with both engines and compare");
-  command->callback([&] { exit_code = run(arguments); });
-  return command;
 }
 
 void add_lar_command(CLI::App& app, LarArguments& arguments, ExitCode& exit_code) {
