@@ -366,7 +366,7 @@ TEST_CASE("names from outside are no markup and no script in the page") {
   Check check = example.checked();
   check.result = evil;
   check.crosscheck.findings[0].message = evil;
-  check.crosscheck.findings[0].cause = Cause{Stage::Prune, 1, evil, evil, evil, true};
+  check.crosscheck.findings[0].cause = Cause{Stage::Prune, 1, evil, evil, evil, true, {}};
   const std::string page = report_html(check), plain = report_html(Example().checked());
   const auto occurrences = [](const std::string& text, const std::string& word) {
     std::size_t count = 0;
