@@ -6,6 +6,7 @@
 
 #include "plumbline/crosscheck.hpp"
 #include "plumbline/ladder.hpp"
+#include "plumbline/published.hpp"
 #include "plumbline/result.hpp"
 #include "plumbline/structure.hpp"
 
@@ -31,6 +32,22 @@ struct Check {
   bool agree() const { return crosscheck.agree(); }
 };
 
+/// What the published pipeline answers.
+enum class PublishedResult {
+  LarFromLines,     ///< faces of the component with most edges
+  AllComponents,    ///< faces of all components, as in the document's tests 08 and 09
+  CellsFromCycles,  ///< cells with holes; every component must be a simple cycle
+};
+
+/// Which run of the published pipeline to check.
+struct PublishedCheck {
+  int decimals = lar::published::kDecimals;
+  PublishedResult result = PublishedResult::LarFromLines;
+  /// What the pipeline is given for the input's segments, in their order; by default their nearest
+  /// doubles. For maps done in floats, as that to the unit square.
+  std::optional<std::vector<lar::SegmentD>> lines;
+};
+
 /// How to check.
 struct CheckOptions {
   std::optional<double> radius;     ///< of the float pipeline; by default its own
@@ -40,6 +57,7 @@ struct CheckOptions {
   /// transforming did. Called where the answers differ; without it, all is parsing.
   std::function<SegmentSet()> parsed;
   std::size_t threads = 0;  ///< 0: as many as there are cores; does not change the result
+  std::optional<PublishedCheck> published;  ///< check the published pipeline, not the repaired one
 };
 
 /// Runs the float LAR pipeline on the drawing and holds it against the exact complexes: that of the

@@ -3,7 +3,7 @@
 #include "check/attribute.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -27,6 +27,20 @@ bool is_about_line_work(const Finding& finding) {
     default:
       return false;
   }
+}
+
+/// Whether pieces of the same segments meet where they should not there, too.
+bool breaks_too(const Crosscheck& crosscheck, const Finding& finding) {
+  const std::size_t least = std::min<std::size_t>(finding.segments.size(), 2);
+  return std::any_of(crosscheck.findings.begin(), crosscheck.findings.end(),
+                     [&](const Finding& other) {
+                       if (!is_about_line_work(other)) return false;
+                       std::vector<SegmentId> common;
+                       std::set_intersection(finding.segments.begin(), finding.segments.end(),
+                                             other.segments.begin(), other.segments.end(),
+                                             std::back_inserter(common));
+                       return common.size() >= least;
+                     });
 }
 
 using Ends = std::pair<PointD, PointD>;
@@ -64,18 +78,24 @@ class Attribution {
         run_(run),
         conversion_(conversion),
         threads_(threads),
-        outputs_(run.outputs()) {}
+        outputs_(run.outputs()),
+        is_cut_once_(std::any_of(outputs_.begin(), outputs_.end(),
+                                 [](const StageOutput& output) { return output.is_cut; })) {}
 
   void run() {
-    blame_invalid();
-    for (std::size_t i = 0; i < result_.findings.size(); ++i)
-      if (!result_.findings[i].cause) open_.push_back(i);
+    if (!is_cut_once_) blame_invalid();
+    for (std::size_t i = 0; i < result_.findings.size(); ++i) {
+      const Finding& finding = result_.findings[i];
+      const bool is_of_cells = finding.invariant && !is_about_line_work(finding);
+      if (!finding.cause && !is_of_cells) open_.push_back(i);
+    }
     // A valid float complex is the exact one of the last line work.
     std::size_t k = outputs_.size() - 1;
     if (!result_.float_valid) close_absent(k);
     for (; k > 0 && !open_.empty(); --k)
       if (outputs_[k].changed) close_absent(k - 1);
     take_from_conversion();
+    if (is_cut_once_) blame_invalid_cells();
     explain();
     run_without_owners();
   }
@@ -84,8 +104,10 @@ class Attribution {
   /// The open findings that are not there when the output of stage k is continued exactly belong to
   /// the stage after it.
   void close_absent(std::size_t k);
+  ExactComplex continued_exactly(const StageOutput& output) const;
   void blame(Finding& finding, std::size_t owner);
   void blame_invalid();
+  void blame_invalid_cells();
   std::size_t owner_of_invalid(const Finding& finding) const;
   /// The last output that changed something, up to k.
   std::size_t changed(std::size_t k) const;
@@ -100,6 +122,7 @@ class Attribution {
   const Crosscheck& conversion_;
   const std::size_t threads_;
   const std::vector<StageOutput> outputs_;
+  const bool is_cut_once_;
   std::vector<std::size_t> open_;  ///< findings there from the stage looked at on
 };
 
@@ -122,14 +145,20 @@ std::size_t Attribution::changed(std::size_t k) const {
 void Attribution::close_absent(std::size_t k) {
   std::optional<Crosscheck> continued;
   if (const std::size_t with_work = changed(k); with_work > 0)
-    continued = crosscheck(exact_, arrange(outputs_[with_work].work, threads_), result_.tolerance);
-  const WrongCells wrong(continued ? *continued : conversion_, exact_);
+    continued = crosscheck(exact_, continued_exactly(outputs_[with_work]), result_.tolerance);
+  const Crosscheck& there = continued ? *continued : conversion_;
+  const WrongCells wrong(there, exact_);
   std::erase_if(open_, [&](std::size_t i) {
-    if (wrong.has(result_.findings[i])) return false;
+    const Finding& finding = result_.findings[i];
+    if (finding.invariant ? breaks_too(there, finding) : wrong.has(finding)) return false;
     blame(result_.findings[i], k + 1);
     result_.findings[i].cause->confirmed = true;
     return true;
   });
+}
+
+ExactComplex Attribution::continued_exactly(const StageOutput& output) const {
+  return output.is_cut ? cells_of(output.work, threads_) : arrange(output.work, threads_);
 }
 
 /// Edges that meet where they should not were left by the last cutting if it had them in this
@@ -153,17 +182,20 @@ std::size_t Attribution::owner_of_invalid(const Finding& finding) const {
 }
 
 void Attribution::blame_invalid() {
-  const Cause* first = nullptr;
   for (Finding& finding : result_.findings)
-    if (is_about_line_work(finding)) {
-      blame(finding, owner_of_invalid(finding));
-      if (!first) first = &*finding.cause;
-    }
-  // Where edges cross, cycles and nesting mean nothing; else they are wrong by themselves.
+    if (is_about_line_work(finding)) blame(finding, owner_of_invalid(finding));
+  blame_invalid_cells();
+}
+
+/// Where edges cross, cycles and nesting mean nothing; else they are wrong by themselves.
+void Attribution::blame_invalid_cells() {
+  const auto of_lines = std::find_if(result_.findings.begin(), result_.findings.end(),
+                                     [](const Finding& f) { return is_about_line_work(f); });
+  const bool is_crossed = of_lines != result_.findings.end();
   for (Finding& finding : result_.findings) {
     if (finding.disagreement != Disagreement::Invalid || finding.cause) continue;
-    if (first)
-      finding.cause = *first;
+    if (is_crossed)
+      finding.cause = of_lines->cause;
     else
       blame(finding, outputs_.size());
   }
@@ -212,7 +244,7 @@ void Attribution::run_without_owners() {
     for (Finding* finding : findings) {
       if (finding->disagreement == Disagreement::Invalid) {
         finding->cause->remade = !now.float_valid;
-        finding->cause->confirmed = now.float_valid;
+        if (!is_cut_once_) finding->cause->confirmed = now.float_valid;
       } else {
         finding->cause->remade = wrong.has(*finding);
       }

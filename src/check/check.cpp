@@ -4,6 +4,7 @@
 
 #include "check/attribute.hpp"
 #include "check/line_work.hpp"
+#include "check/published_run.hpp"
 #include "check/repaired_run.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/lar.hpp"
@@ -44,12 +45,41 @@ double foreign_tolerance(const ExactComplex& complex) {
   return std::max(kForeignTolerance * side, lar::kLeastRelativeRadius * largest);
 }
 
+/// The answer of the published pipeline, and why it differs from the first.
+void compare_published(Check& result, const CheckOptions& options) {
+  namespace published = lar::published;
+  published::Options run;
+  run.decimals = options.published->decimals;
+  run.radius = options.radius.value_or(published::kRadius);
+  run.threads = options.threads;
+  const published::Trace trace =
+      published::run(options.published->lines.value_or(published::lines(result.input)), run);
+  const checking::PublishedRun traced(trace, options.published->result, options.threads);
+  result.float_complex = traced.complex();
+  result.result = "published";
+  result.radius = run.radius;
+  const double tolerance = options.tolerance.value_or(run.radius);
+  result.crosscheck = crosscheck(result.exact_complex, exact(result.float_complex), tolerance,
+                                 traced.has_faces() ? Compared::All : Compared::Graph);
+  compare_conversion(result, options, tolerance);
+  checking::attribute(result.crosscheck, result.exact_complex, result.float_complex, traced,
+                      result.conversion, options.threads);
+  checking::blame_missed_junctions(result.crosscheck, result.exact_complex, traced);
+  for (Finding& finding : result.crosscheck.findings) traced.refine(finding);
+  for (Finding& failure : traced.failures())
+    result.crosscheck.findings.push_back(std::move(failure));
+}
+
 }  // namespace
 
 Check check(SegmentSet input, ExactComplex exact_complex, const CheckOptions& options) {
   Check result;
   result.input = std::move(input);
   result.exact_complex = std::move(exact_complex);
+  if (options.published) {
+    compare_published(result, options);
+    return result;
+  }
   lar::Result run = lar::arrange(result.input, {options.radius, options.threads});
   result.float_complex = std::move(run.complex);
   result.result = "repaired";

@@ -15,6 +15,9 @@ struct StageOutput {
   std::size_t round = 0;  ///< from 1; 0 outside of rounds
   bool changed = true;    ///< if not, `work` is left out: it is that of the output before
   LineWork work;
+  /// The later stages never cut again: where pieces meet elsewhere than in common ends, the exact
+  /// continuation is the cells of the graph as it is.
+  bool is_cut = false;
 };
 
 /// A run of a float pipeline, as attribution looks at it.

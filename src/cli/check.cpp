@@ -9,14 +9,33 @@
 namespace plumbline::cli {
 namespace {
 
+std::optional<PublishedCheck> published_check(const CheckArguments& arguments,
+                                              const Structure& structure) {
+  if (!arguments.is_published) {
+    if (arguments.decimals || arguments.result)
+      throw Error(ErrorCode::BadInput, "--decimals and --result belong to --variant published");
+    return std::nullopt;
+  }
+  PublishedCheck result;
+  result.decimals = arguments.decimals.value_or(result.decimals);
+  result.result = arguments.result.value_or(result.result);
+  if (arguments.unit_square)
+    result.lines = lar::published::lines_on_unit_square(evaluate(structure), result.decimals);
+  return result;
+}
+
 Check compare(const CheckArguments& arguments) {
   std::optional<ForeignResult> foreign;  // read first: what is malformed is told at once
   if (arguments.against) foreign = read_result(*arguments.against);
   Drawing drawing = load(arguments);
   const Progress progress(foreign ? "comparing with " + foreign->file
                                   : "running the float LAR pipeline and comparing");
-  const auto parsed = [&] { return evaluate(rounded(std::move(drawing.structure))); };
-  const CheckOptions options{arguments.radius, arguments.tolerance, parsed, arguments.threads};
+  const auto parsed = [&] {
+    const SegmentSet input = evaluate(rounded(std::move(drawing.structure)));
+    return arguments.unit_square ? lar::to_unit_square(input) : input;
+  };
+  const CheckOptions options{arguments.radius, arguments.tolerance, parsed, arguments.threads,
+                             published_check(arguments, drawing.structure)};
   return foreign ? check_against(std::move(drawing.input), std::move(drawing.complex),
                                  std::move(*foreign), options)
                  : check(std::move(drawing.input), std::move(drawing.complex), options);

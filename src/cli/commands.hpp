@@ -5,6 +5,7 @@
 #include <string>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/check.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/write.hpp"
 
@@ -22,8 +23,9 @@ struct InputArguments {
 /// How it is arranged.
 struct DrawingArguments : InputArguments {
   Engine engine = Engine::Bucket;
-  std::size_t threads = 0;  ///< 0: as many as there are cores
-  bool verify = false;      ///< arrange with both engines and compare
+  std::size_t threads = 0;   ///< 0: as many as there are cores
+  bool verify = false;       ///< arrange with both engines and compare
+  bool unit_square = false;  ///< map the drawing to the unit square first
 };
 
 struct ArrangeArguments : DrawingArguments {
@@ -33,6 +35,9 @@ struct ArrangeArguments : DrawingArguments {
 struct CheckArguments : DrawingArguments {
   std::optional<std::string> against;
   std::size_t listed = 8;  ///< findings printed
+  bool is_published = false;
+  std::optional<int> decimals;
+  std::optional<PublishedResult> result;
   std::optional<double> radius;
   std::optional<double> tolerance;
   std::optional<std::string> output;

@@ -23,6 +23,7 @@ Drawing load(const DrawingArguments& arguments) {
     const Progress progress("reading " + arguments.file);
     drawing.structure = read(arguments.file, arguments.reading);
     drawing.input = evaluate(drawing.structure);
+    if (arguments.unit_square) drawing.input = lar::to_unit_square(drawing.input);
   }
   {
     Progress progress(fmt::format("arranging {} segments", drawing.input.segments.size()));

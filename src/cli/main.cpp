@@ -234,12 +234,39 @@ void add_random_command(CLI::App& app, RandomArguments& arguments, ExitCode& exi
   command->callback([&] { exit_code = run(arguments); });
 }
 
+void add_variant_options(CLI::App& command, CheckArguments& arguments) {
+  const std::map<std::string, bool> variants{{"published", true}, {"repaired", false}};
+  const std::map<std::string, PublishedResult> results{
+      {"larFromLines", PublishedResult::LarFromLines},
+      {"allComponents", PublishedResult::AllComponents},
+      {"cells", PublishedResult::CellsFromCycles}};
+  command
+      .add_option("--variant", arguments.is_published,
+                  "Of float LAR: repaired (the default) or published, with all its divergences")
+      ->transform(CLI::CheckedTransformer(variants).description(""))
+      ->type_name("VARIANT")
+      ->excludes("--against");
+  command
+      .add_option("--result", arguments.result,
+                  "Of the published variant: larFromLines (the default), allComponents (the faces "
+                  "of all components) or cells (of cycles, with holes)")
+      ->transform(CLI::CheckedTransformer(results).description(""))
+      ->type_name("RESULT");
+  command
+      .add_option("--decimals", arguments.decimals,
+                  "Decimals of the published variant's coordinates and parameters [default: 4]")
+      ->type_name("N");
+  command.add_flag("--unit-square", arguments.unit_square,
+                   "Map the drawing to the unit square first, y upwards, as published for SVG");
+}
+
 void add_check_options(CLI::App& command, CheckArguments& arguments) {
   command
       .add_option(
           "--radius", arguments.radius,
           "Float LAR merges vertices no further apart than this, in drawing units "
-          "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate]")
+          "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate; "
+          "of the published variant 0.001]")
       ->type_name("R");
   command
       .add_option(
@@ -270,6 +297,7 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
                   "Write the findings as points to a GeoJSON file, for QGIS and OGR")
       ->type_name("FILE");
   add_advice(command, arguments);
+  add_variant_options(command, arguments);
 }
 
 /// CLI11 would only say that a command is required.

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "check/dropped_edges.hpp"
+#include "check/merged_vertices.hpp"
+#include "check/published_meetings.hpp"
+#include "check/published_walk.hpp"
+#include "check/published_work.hpp"
+#include "check/stages.hpp"
+
+namespace plumbline::checking {
+
+/// A run of the published pipeline.
+class PublishedRun : public TracedRun {
+ public:
+  /// Keeps a reference.
+  PublishedRun(const lar::published::Trace& trace, PublishedResult result, std::size_t threads);
+
+  /// The result, or as much of it as there is, as a complex.
+  FloatComplex complex() const;
+  /// Whether there is a result; if not, the complex is the vertices and edges so far.
+  bool has_faces() const { return has_result(trace_, result_); }
+  std::vector<StageOutput> outputs() const override;
+  Stage late_stage(const Finding& finding) const override;
+  void explain(const Finding& finding, Cause& cause) const override;
+  std::optional<FloatComplex> with_exact(Stage stage, std::size_t round) const override;
+
+  /// Why there is no result, or only a part of it: findings about the complex, with their causes.
+  std::vector<Finding> failures() const;
+  /// Names what the pipeline did not heal, where an end stops beside a segment in doubles only.
+  void explain_conversion(Finding& finding) const;
+
+ private:
+  void explain_quantisation(const Finding& finding, Cause& cause) const;
+  void explain_meeting(const Finding& finding, Cause& cause) const;
+  void explain_merge(const Finding& finding, Cause& cause) const;
+  void explain_filter(const Finding& finding, Cause& cause) const;
+  void explain_walk(Cause& cause) const;
+  void explain_outer_face(const Finding& finding, Cause& cause) const;
+  void explain_nesting(const Finding& finding, Cause& cause) const;
+  bool is_small() const;
+  Finding failure(const lar::published::Failure& failure) const;
+
+  const lar::published::Trace& trace_;
+  const PublishedResult result_;
+  const std::size_t threads_;
+  const EdgeSources raw_sources_;
+  const EdgeSources lar_sources_;
+  const MergedVertices merged_;
+  const PublishedMeetings meetings_;
+  const DroppedEdges dropped_;
+  const PublishedWalk walk_;
+};
+
+}  // namespace plumbline::checking
