@@ -82,7 +82,7 @@ TEST_CASE("each rule is found on its minimal input and named") {
        "simplify point-edge"},
       {"Q1", recorded_input("degenerate-chain-radius"), kFaces, "prune chain-collapse"},
       {"Q2", recorded_input("degenerate-radius-exact"), kFaces, "prune at-radius"},
-      {"Q3", segments(rectangle(0, 0, 7, 11) + "0 1 7 1"), kFaces, "off-grid-mean"},
+      {"Q3", segments("0 11 0 0  0 1 7 1"), kFaces, "off-grid-mean"},
       {"Q4", recorded_input("divergence-merge-nontermination"), kFaces, "face walk endless-walk"},
       {"Q5", recorded_input("divergence-merge-euler0"), kFaces, "face walk euler"},
       {"Q6", recorded_input("divergence-merge-partial"), kFaces, "face walk aborted-walk"},
@@ -97,8 +97,8 @@ TEST_CASE("each rule is found on its minimal input and named") {
       {"F5", recorded_input("degenerate-single-square"), kAll, "outer face largest-area"},
       {"F5b", recorded_input("degenerate-nested-siblings"), kAll, "outer face exteriors-kept"},
       {"F6",
-       segments("0 0.01 0 1000  0 1000 1000 1000  1000 1000 1000 0  1000 0 0.01 0  "
-                "0.01 0 0 0.01  0 0.01 0 0  0 0 0.01 0"),
+       segments("0 999.99 0 0  0 0 1000 0  1000 0 1000 1000  1000 1000 0.01 1000  "
+                "0.01 1000 0 999.99  0 999.99 0 1000  0 1000 0.01 1000"),
        kFaces, "outer face single-precision-area"},
       {"F8", recorded_input("degenerate-cross"), kFaces, "component filter no-cycle"},
   };

@@ -29,7 +29,7 @@ layer(round       error number geometry complex cgal)
 layer(crosscheck  error number geometry structure read complex boundary arrange lar published)
 layer(ladder      error number geometry complex arrange)
 layer(diagnose    error number geometry complex arrange)
-layer(check       ${may_crosscheck} ladder result)
+layer(check       ${may_crosscheck} ladder result polygons)
 layer(write       ${may_check} diagnose triangulate round)
 layer(report      ${may_write})
 layer(plumbline   ${may_report} polygons result)                         # the umbrella header

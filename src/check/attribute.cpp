@@ -31,6 +31,7 @@ bool is_about_line_work(const Finding& finding) {
 
 /// Whether pieces of the same segments meet where they should not there, too.
 bool breaks_too(const Crosscheck& crosscheck, const Finding& finding) {
+  if (finding.segments.empty()) return false;
   const std::size_t least = std::min<std::size_t>(finding.segments.size(), 2);
   return std::any_of(crosscheck.findings.begin(), crosscheck.findings.end(),
                      [&](const Finding& other) {
@@ -244,7 +245,7 @@ void Attribution::run_without_owners() {
     for (Finding* finding : findings) {
       if (finding->disagreement == Disagreement::Invalid) {
         finding->cause->remade = !now.float_valid;
-        if (!is_cut_once_) finding->cause->confirmed = now.float_valid;
+        if (!is_cut_once_ || now.float_valid) finding->cause->confirmed = now.float_valid;
       } else {
         finding->cause->remade = wrong.has(*finding);
       }

@@ -42,6 +42,7 @@ Finding about_complex(Disagreement disagreement, std::string message, Stage stag
   finding.message = std::move(message);
   finding.cause = Cause{};
   finding.cause->stage = stage;
+  finding.cause->confirmed = true;  // the exact counterpart always has a result
   return finding;
 }
 

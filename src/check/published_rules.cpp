@@ -108,7 +108,7 @@ void PublishedRun::explain_meeting(const Finding& finding, Cause& cause) const {
         "take more decimals, or scale the drawing to a length of about 1");
   switch (meeting->kind) {
     case Kind::Parallel:
-      return set(cause, finding.kind == CellKind::Face ? "parallel-wall" : "parallel-skipped",
+      return set(cause, "parallel-skipped",
                  "parallel segments are never intersected, so those that overlap did not cut each "
                  "other",
                  "join overlapping strokes before, or cut segments where others end on them");
@@ -211,7 +211,7 @@ void PublishedRun::explain_walk(Cause& cause) const {
 }
 
 void PublishedRun::explain_outer_face(const Finding& finding, Cause& cause) const {
-  if (walk_.has_equal_areas)
+  if (walk_.misjudges_areas)
     return set(cause, "single-precision-area",
                "areas in single precision made an inner face as large as the exterior one",
                "signed areas in double precision");
@@ -230,18 +230,24 @@ void PublishedRun::explain_nesting(const Finding&, Cause& cause) const {
       "give faces the outlines of what lies in them as holes");
 }
 
-void PublishedRun::explain_conversion(Finding& finding) const {
-  if (!finding.cause) return;
-  Cause& cause = *finding.cause;
-  if (cause.stage != Stage::Parse && cause.stage != Stage::Transform) return;
+void PublishedRun::explain_conversion(const Finding& finding, Cause& cause) const {
   const MissedMeeting* missed = meetings_.near_miss(nearest(finding.where), finding.segments);
   if (!missed || missed->distance > kRounding * largest_coordinate(trace_)) return;
-  cause.rule = "slanted-junction";
-  cause.explanation = fmt::format(
-      "in doubles an end stops {:.3g} beside the segment that it is drawn to, and parameters are "
-      "compared exactly with 0 and 1",
-      missed->distance);
-  cause.advice = "accept parameters within the radius";
+  set(cause, "slanted-junction",
+      fmt::format("in doubles an end stops {:.3g} beside the segment that it is drawn to, and "
+                  "parameters are compared exactly with 0 and 1",
+                  missed->distance),
+      "accept parameters within the radius");
+}
+
+void PublishedRun::refine(Finding& finding) const {
+  Cause& cause = *finding.cause;
+  if (cause.stage == Stage::Parse || cause.stage == Stage::Transform)
+    explain_conversion(finding, cause);
+  if (cause.rule == "parallel-skipped" && finding.kind == CellKind::Face)
+    cause.rule = "parallel-wall";
+  if (cause.stage == Stage::ComponentFilter && finding.kind == CellKind::Hole)
+    explain_filter(finding, cause);
 }
 
 }  // namespace plumbline::checking

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "check/replaced_stage.hpp"
+#include "check/wrong_cells.hpp"
 
 namespace plumbline::checking {
 namespace {
@@ -70,6 +71,8 @@ std::vector<StageOutput> PublishedRun::outputs() const {
 }
 
 Stage PublishedRun::late_stage(const Finding& finding) const {
+  if (finding.invariant == Invariant::Index) return Stage::Simplify;
+  if (trace_.components.empty()) return Stage::Simplify;  // what edges of one vertex add
   if (result_ == PublishedResult::CellsFromCycles) return Stage::Nesting;
   if (!has_result(trace_, result_) || walk_.is_faulty() || !walk_.is_plane) return Stage::FaceWalk;
   if (walk_.misorders_edges) return Stage::EdgeOrder;
@@ -80,6 +83,27 @@ Stage PublishedRun::late_stage(const Finding& finding) const {
 
 std::optional<FloatComplex> PublishedRun::with_exact(Stage stage, std::size_t /*round*/) const {
   return run_with_exact(trace_, result_, raw_sources_, lar_sources_, stage, threads_);
+}
+
+void blame_missed_junctions(Crosscheck& result, const ExactComplex& exact_complex,
+                            const PublishedRun& run) {
+  std::vector<Finding*> dropped;
+  for (Finding& finding : result.findings)
+    if (finding.cause->rule == "bridges-dropped") dropped.push_back(&finding);
+  if (dropped.empty()) return;
+  const auto replaced = run.with_exact(Stage::Intersect, 0);
+  if (!replaced) return;
+  const Crosscheck now = crosscheck(exact_complex, *replaced, result.tolerance);
+  const WrongCells wrong(now, exact_complex);
+  for (Finding* finding : dropped) {
+    if (wrong.has(*finding)) continue;
+    Cause cause;
+    cause.stage = Stage::Intersect;
+    cause.confirmed = true;
+    cause.remade = false;
+    run.explain(*finding, cause);
+    finding->cause = cause;
+  }
 }
 
 }  // namespace plumbline::checking

@@ -29,8 +29,10 @@ class PublishedRun : public TracedRun {
 
   /// Why there is no result, or only a part of it: findings about the complex, with their causes.
   std::vector<Finding> failures() const;
-  /// Names what the pipeline did not heal, where an end stops beside a segment in doubles only.
-  void explain_conversion(Finding& finding) const;
+  /// Names the rule more closely, where another finding of the same cause gave it its name, and
+  /// where the conversion to doubles left an end beside a segment, which the pipeline does not
+  /// heal.
+  void refine(Finding& finding) const;
 
  private:
   void explain_quantisation(const Finding& finding, Cause& cause) const;
@@ -38,6 +40,7 @@ class PublishedRun : public TracedRun {
   void explain_merge(const Finding& finding, Cause& cause) const;
   void explain_filter(const Finding& finding, Cause& cause) const;
   void explain_walk(Cause& cause) const;
+  void explain_conversion(const Finding& finding, Cause& cause) const;
   void explain_outer_face(const Finding& finding, Cause& cause) const;
   void explain_nesting(const Finding& finding, Cause& cause) const;
   bool is_small() const;
@@ -53,5 +56,10 @@ class PublishedRun : public TracedRun {
   const DroppedEdges dropped_;
   const PublishedWalk walk_;
 };
+
+/// What hangs loose because an intersection was missed, and is left out for that, belongs to the
+/// intersection: with that alone replaced by the exact one it is not left out.
+void blame_missed_junctions(Crosscheck& result, const ExactComplex& exact_complex,
+                            const PublishedRun& run);
 
 }  // namespace plumbline::checking

@@ -87,17 +87,18 @@ double area(const Model& model, std::size_t f) {
   return std::abs(twice) / 2;
 }
 
-bool has_equal_areas(const Faces& faces) {
-  if (faces.areas.empty()) return false;
-  const double largest = *std::max_element(faces.areas.begin(), faces.areas.end());
-  std::vector<double> of_largest;
-  for (std::size_t f = 0; f < faces.areas.size(); ++f)
-    if (faces.areas[f] == largest) of_largest.push_back(area(faces.model, f));
-  const auto [least, most] = std::minmax_element(of_largest.begin(), of_largest.end());
-  return *least < *most * (1 - kSameArea);
+bool misjudges_areas(const Faces& faces) {
+  std::vector<double> areas;
+  for (std::size_t f = 0; f < faces.areas.size(); ++f) areas.push_back(area(faces.model, f));
+  const auto largest = std::max_element(areas.begin(), areas.end());
+  if (largest == areas.end()) return false;
+  const double computed = faces.areas[static_cast<std::size_t>(largest - areas.begin())];
+  for (std::size_t f = 0; f < areas.size(); ++f)
+    if (areas[f] < *largest * (1 - kSameArea) && faces.areas[f] >= computed) return true;
+  return false;
 }
 
-/// Whether the angle of b from the ray of a is less than half a turn, counter-clockwise. **Exact**.
+/// Whether edges around a vertex are out of order. **Exact**.
 bool misorders(const Model& model) {
   const Lists<EdgeId> order = lar::published::edge_slope_ordering(model);
   for (std::size_t v = 0; v < order.size(); ++v) {
@@ -141,7 +142,7 @@ PublishedWalk walk_of(const Trace& trace, PublishedResult result, const LineWork
   walk.aborted = faces->aborted;
   walk.breaks_euler = !walk.aborted && breaks_euler(faces->model);
   walk.depends_on_order = !walk.is_plane && !walk.aborted && gives_other_faces(*faces);
-  walk.has_equal_areas = has_equal_areas(*faces);
+  walk.misjudges_areas = misjudges_areas(*faces);
   walk.misorders_edges = misorders(faces->model);
   return walk;
 }

@@ -11,8 +11,8 @@ struct PublishedWalk {
   bool aborted = false;           ///< it stopped and kept the faces found so far
   bool breaks_euler = false;      ///< V - E + F is not that of a plane graph
   bool depends_on_order = false;  ///< other numbers of the vertices give other faces
-  /// In single precision another face's area is that of the largest, in double precision not.
-  bool has_equal_areas = false;
+  /// In single precision the largest face is no larger than another one.
+  bool misjudges_areas = false;
   bool misorders_edges = false;  ///< edges around a vertex are not in the order of their angles
 
   bool is_faulty() const { return never_ends || aborted || breaks_euler || depends_on_order; }

@@ -155,8 +155,7 @@ LineWork work_of(const Model& model, const EdgeSources& sources) {
   LineWork result;
   std::vector<bool> is_used(model.vertices.size());
   for (const VertexPair& edge : model.edges) {
-    if (edge[0] == edge[1]) continue;
-    is_used[edge[0]] = is_used[edge[1]] = true;
+    if (edge[0] != edge[1]) is_used[edge[0]] = is_used[edge[1]] = true;
     result.segments.push_back({model.vertices[edge[0]], model.vertices[edge[1]]});
     result.sources.push_back(sources.at(sorted(edge)));
   }

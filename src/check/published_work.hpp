@@ -21,7 +21,8 @@ EdgeSources raw_sources(const lar::published::Trace& trace);
 /// vertex have theirs too.
 EdgeSources lar_sources(const lar::published::Trace& trace, const EdgeSources& raw);
 
-/// The edges of the model as line work; vertices of no edge are points.
+/// The edges of the model as line work; vertices of no edge, or of edges of one vertex only, are
+/// points.
 LineWork work_of(const lar::published::Model& model, const EdgeSources& sources);
 
 /// Whether the pipeline got as far as this result; if not, all there is is `trace.lar`.
