@@ -193,6 +193,8 @@ Structure read_csv(ByteStream& bytes, Geometries* geometries) {
   return CsvReader(bytes, geometries).read();
 }
 
+Structure read_csv(ByteStream& bytes) { return read_csv(bytes, nullptr); }
+
 Structure read_csv(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});
   return read_csv(bytes);

@@ -340,6 +340,8 @@ Structure read_geojson(ByteStream& bytes, Geometries* geometries) {
   return GeoJsonReader(bytes, geometries).read();
 }
 
+Structure read_geojson(ByteStream& bytes) { return read_geojson(bytes, nullptr); }
+
 Structure read_geojson(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});
   return read_geojson(bytes);

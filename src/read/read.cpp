@@ -22,12 +22,12 @@ std::string content(const fs::path& file) {
   return text;
 }
 
-using FeatureReader = Structure (*)(ByteStream&, Geometries*);
+using FeatureReader = Structure (*)(ByteStream&);
 
 Structure read_streamed(const fs::path& file, FeatureReader reader) {
   checked_size(file, kMaxStreamedFileSize);
   ByteStream bytes(file);
-  return reader(bytes, nullptr);
+  return reader(bytes);
 }
 
 Structure read_json(const fs::path& file, const ReadOptions& options) {

@@ -273,6 +273,8 @@ Structure read_wkb(ByteStream& bytes, Geometries* geometries) {
   return std::move(table).finish();
 }
 
+Structure read_wkb(ByteStream& bytes) { return read_wkb(bytes, nullptr); }
+
 Structure read_wkb(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});
   return read_wkb(bytes);

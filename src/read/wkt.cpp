@@ -302,6 +302,8 @@ Structure read_wkt(ByteStream& bytes, Geometries* geometries) {
   return std::move(table).finish();
 }
 
+Structure read_wkt(ByteStream& bytes) { return read_wkt(bytes, nullptr); }
+
 Structure read_wkt(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});
   return read_wkt(bytes);
