@@ -100,6 +100,16 @@ TEST_CASE("each rule is found on its minimal input and named") {
        segments("0 999.99 0 0  0 0 1000 0  1000 0 1000 1000  1000 1000 0.01 1000  "
                 "0.01 1000 0 999.99  0 999.99 0 1000  0 1000 0.01 1000"),
        kFaces, "outer face single-precision-area"},
+      {"P1", recorded_input("divergence-lattice-level-vertices"), kCells, "nesting half-crossings"},
+      {"P3", segments(rectangle(0, 0, 4, 4) + "0.0003 0.0004 2 1  2 1 1 2  1 2 0.0003 0.0004"),
+       kCells, "nesting unrounded-query"},
+      {"P4", segments(rectangle(0, 0, 1, 1) + "-2 -2 2 -2  2 -2 3 1  3 1 -2 3  -2 3 -2 -2"), kCells,
+       "nesting one-vertex"},
+      {"P5", recorded_input("degenerate-squares-touch-vertex-inside"), kCells,
+       "nesting on-boundary-level"},
+      {"P6", segments(rectangle(0, 0, 1, 1) + "0 0 1 1  1 0 0 1"), kCells,
+       "nesting simple-cycles-only"},
+      {"P7", recorded_input("degenerate-nested-squares-5"), kCells, "nesting alternate-cells"},
       {"F8", recorded_input("degenerate-cross"), kFaces, "component filter no-cycle"},
   };
   for (const Row& row : rows) {

@@ -225,9 +225,36 @@ void PublishedRun::explain_outer_face(const Finding& finding, Cause& cause) cons
       "leave out every cycle that runs clockwise");
 }
 
-void PublishedRun::explain_nesting(const Finding&, Cause& cause) const {
-  set(cause, "holes-dropped", "faces have no inner boundaries",
-      "give faces the outlines of what lies in them as holes");
+void PublishedRun::explain_nesting(const Finding& finding, Cause& cause) const {
+  using Fault = PublishedLattice::Fault;
+  if (result_ != PublishedResult::CellsFromCycles)
+    return set(cause, "holes-dropped", "faces have no inner boundaries",
+               "give faces the outlines of what lies in them as holes");
+  const char* advice = "take the innermost cycle around each component";
+  switch (lattice_.fault_at(finding.segments)) {
+    case Fault::Alternates:
+      return set(cause, "alternate-cells",
+                 "solid and void alternate with the depth, so that every other face is no cell",
+                 advice);
+    case Fault::OnBoundary:
+      return set(cause, "on-boundary-level",
+                 "the vertex that stands for a cycle lies on another one, which spoils the levels",
+                 advice);
+    case Fault::OneVertex:
+      return set(cause, "one-vertex",
+                 "one vertex stands for a cycle, and it is level with one of the other cycle",
+                 advice);
+    case Fault::Crossings:
+      return set(cause, "half-crossings",
+                 "every vertex of a cycle is level with one of the other cycle, where half "
+                 "crossings are counted in copies of the counters",
+                 advice);
+    case Fault::Unrounded:
+      return set(cause, "unrounded-query",
+                 "the polygon was rounded and the vertex on it was not, so that it is not found "
+                 "on it",
+                 advice);
+  }
 }
 
 void PublishedRun::explain_conversion(const Finding& finding, Cause& cause) const {

@@ -47,7 +47,8 @@ PublishedRun::PublishedRun(const Trace& trace, PublishedResult result, std::size
       merged_(merged_in(trace, raw_sources_)),
       meetings_(trace),
       dropped_(trace, result, lar_sources_),
-      walk_(walk_of(trace, result, kept_work(trace, result, lar_sources_), threads)) {}
+      walk_(walk_of(trace, result, kept_work(trace, result, lar_sources_), threads)),
+      lattice_(trace, result, lar_sources_) {}
 
 FloatComplex PublishedRun::complex() const { return result_complex(trace_, result_, lar_sources_); }
 

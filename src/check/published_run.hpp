@@ -5,6 +5,7 @@
 
 #include "check/dropped_edges.hpp"
 #include "check/merged_vertices.hpp"
+#include "check/published_lattice.hpp"
 #include "check/published_meetings.hpp"
 #include "check/published_walk.hpp"
 #include "check/published_work.hpp"
@@ -55,6 +56,7 @@ class PublishedRun : public TracedRun {
   const PublishedMeetings meetings_;
   const DroppedEdges dropped_;
   const PublishedWalk walk_;
+  const PublishedLattice lattice_;
 };
 
 /// What hangs loose because an intersection was missed, and is left out for that, belongs to the

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "check/published_lattice.hpp"
 #include "plumbline/polygons.hpp"
 #include "plumbline/published_stages.hpp"
 
@@ -45,26 +46,6 @@ std::vector<VertexPair> kept_edges(const Trace& trace, PublishedResult result) {
       for (const VertexPair& edge : component) kept.insert(sorted(edge));
   }
   return {kept.begin(), kept.end()};
-}
-
-/// The corners of a component that is a simple cycle, in the order of the walk.
-std::vector<VertexId> ring(std::span<const VertexPair> cycle) {
-  std::map<VertexId, std::vector<VertexId>> neighbours;
-  for (const auto& [v, w] : cycle) {
-    neighbours[v].push_back(w);
-    neighbours[w].push_back(v);
-  }
-  const VertexId start = cycle.front()[0];
-  std::vector<VertexId> result{start};
-  VertexId before = start;
-  for (VertexId v = cycle.front()[1]; v != start && result.size() < cycle.size();) {
-    result.push_back(v);
-    const std::vector<VertexId>& next = neighbours.at(v);
-    const VertexId after = next.front() == before ? next.back() : next.front();
-    before = v;
-    v = after;
-  }
-  return result;
 }
 
 std::vector<Polygon> cells_as_polygons(const Trace& trace) {
