@@ -304,6 +304,7 @@ test("print has the picture and the whole list, and no controls", async () => {
     assert.equal(await page.locator(id).first().isVisible(), false, id);
   const count = await page.evaluate(() => window.plumbline.drawing.report.findings.length);
   assert.equal(await items(), count);
+  assert.equal(await page.locator("#finding-list .details").count(), count);
   assert.ok(await page.locator("#finding-list > li").last().isVisible());
   await page.screenshot({ path: path.join(scratch, "print.png"), fullPage: true });
   await page.emulateMedia({ media: null, colorScheme: "light" });
@@ -318,6 +319,22 @@ test("everything that can be pressed has a name", async () => {
       .map((node) => node.outerHTML),
   );
   assert.deepEqual(nameless, []);
+});
+
+test("a browser without WebGL2 says so, and shows the rest", async () => {
+  const plain = await context.newPage();
+  await plain.addInitScript(() => {
+    const getContext = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+      return kind === "webgl2" ? null : getContext.call(this, kind, ...rest);
+    };
+  });
+  await plain.goto(pathToFileURL(page_file).href);
+  await plain.waitForSelector("html[data-ready]");
+  assert.match(await plain.textContent("#stage"), /WebGL2/);
+  await plain.locator(".finding-head").first().click();
+  assert.equal(await plain.locator("li.open .details").count(), 1);
+  await plain.close();
 });
 
 test("nothing went wrong on the way", () => {

@@ -19,8 +19,8 @@ export function grow(box: Box, x: number, y: number): void {
   if (y > box.bottom) box.bottom = y;
 }
 
-export function contains(box: Box, x: number, y: number): boolean {
-  return x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;
+export function overlap(a: Box, b: Box): boolean {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
 export const extent = (box: Box): number => Math.max(box.right - box.left, box.bottom - box.top);

@@ -19,6 +19,7 @@ export class FindingList {
   private readonly hiddenStages = new Set<string>();
   private shown: Finding[] = [];
   private chosen?: Finding;
+  private isPrinting = false;
   private readonly list = byId("finding-list");
   private readonly more = byId("finding-more");
   private readonly total = byId("finding-total");
@@ -64,9 +65,12 @@ export class FindingList {
     this.onChoose(finding);
   }
 
-  /// All items, for print.
-  showAll(): void {
-    this.addItems(this.shown.length);
+  /// For print: all items, with all that is known of each.
+  setPrinting(isPrinting: boolean): void {
+    if (this.isPrinting === isPrinting) return;
+    this.isPrinting = isPrinting;
+    this.list.replaceChildren();
+    this.addItems(isPrinting ? this.shown.length : chunk);
   }
 
   private filter(): void {
@@ -88,7 +92,7 @@ export class FindingList {
   private addItems(number: number): void {
     const first = this.list.childElementCount;
     for (const finding of this.shown.slice(first, first + Math.max(number, 0)))
-      this.list.append(this.makeItem(finding, finding === this.chosen));
+      this.list.append(this.makeItem(finding, this.isPrinting || finding === this.chosen));
     this.more.hidden = this.list.childElementCount >= this.shown.length;
   }
 

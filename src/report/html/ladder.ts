@@ -23,6 +23,12 @@ export function showLadder(report: Report, place: HTMLElement, goTo: (step: Ladd
     legend(),
     table(ladder, goTo),
   );
+  if (report.tried_radii.length > 0) {
+    const right = report.right_radii;
+    place.append(element("p", { class: "quiet" }, right
+      ? `The float result is right for every radius tried from ${number(right[0])} to ${number(right[1])} (filled dots).`
+      : "The float result was wrong for every radius tried (empty dots)."));
+  }
   if (!ladder.complete) place.append(element("p", { class: "quiet" }, "The ladder goes on beyond its last step."));
 }
 
@@ -59,6 +65,11 @@ function plot(report: Report, ladder: Ladder): SVGElement {
     for (const step of ladder.steps) path += `H${x(Math.max(step.radius, first))}V${y(step[name])}`;
     svg.append("path").attr("class", `series ${name}`).attr("d", `${path}H${x(last)}`);
   }
+  for (const { radius, right } of report.tried_radii)
+    if (radius >= first && radius <= last)
+      svg.append("circle").attr("class", right ? "tried right" : "tried").attr("cx", x(radius))
+        .attr("cy", height - size.bottom).attr("r", 3)
+        .append("title").text(`radius ${number(radius)}: ${right ? "right" : "wrong"}`);
   if (report.radius) {
     const at = x(report.radius);
     svg.append("line").attr("class", "radius").attr("x1", at).attr("x2", at)

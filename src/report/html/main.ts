@@ -19,8 +19,23 @@ async function readReport(): Promise<Report> {
   return (await (await unpacked(byId("report").textContent!)).json()) as Report;
 }
 
-function connectFindings(drawing: Drawing, view: View, overlay: Overlay): FindingList {
-  const list = new FindingList(drawing);
+/// The picture, and what in the rest of the page shows something of it.
+function showPicture(drawing: Drawing, list: FindingList): { goTo: (step: LadderStep) => void; recolour: () => void } {
+  const stage = byId("stage");
+  const view = new View(stage, drawing.box);
+  const scene = new Scene(byId<HTMLCanvasElement>("lines"), byId<HTMLCanvasElement>("below"), view, drawing);
+  const overlay = new Overlay(byId<HTMLCanvasElement>("overlay"), view, drawing, scene);
+  scene.onDraw = () => overlay.draw();
+  connectLayers(scene, overlay);
+  connectView(view);
+  connectFindings(drawing, list, view, overlay);
+  new Hover(byId("tip"), view, drawing, scene, overlay, byId("readout"), (finding) => list.choose(finding));
+  scene.drawNow();
+  Object.assign(window, { plumbline: { view, scene, drawing } }); // for tests, and for the curious
+  return { goTo: (step) => showStep(step, drawing, view), recolour: () => scene.recolour() };
+}
+
+function connectFindings(drawing: Drawing, list: FindingList, view: View, overlay: Overlay): void {
   const sidesOf = (finding: Finding): Side[] => [
     { complex: drawing.complexes[list.comparison], cells: finding.float_cells },
     { complex: drawing.complexes.authored, cells: finding.exact_cells },
@@ -37,17 +52,20 @@ function connectFindings(drawing: Drawing, view: View, overlay: Overlay): Findin
     if (event.key === "p") list.step(-1);
     if (event.key === "Escape") list.choose(undefined);
   });
-  connectComparison(drawing, list);
-  return list;
+  const findings = plural(drawing.report.findings.length, "finding");
+  view.stage.setAttribute(
+    "aria-label",
+    `The drawing with ${findings}. Arrow keys pan, + and - zoom, 0 shows all, n and p go through the findings.`,
+  );
 }
 
 function connectComparison({ report }: Drawing, list: FindingList): void {
   const choice = byId("comparison");
   choice.hidden = report.conversion.length === 0;
-  for (const button of choice.querySelectorAll("button"))
+  const buttons = [...choice.querySelectorAll("button")];
+  for (const button of buttons)
     button.addEventListener("click", () => {
-      for (const other of choice.querySelectorAll("button"))
-        other.setAttribute("aria-pressed", String(other === button));
+      for (const other of buttons) other.setAttribute("aria-pressed", String(other === button));
       list.setComparison(button.value as "float" | "doubles");
     });
 }
@@ -60,6 +78,12 @@ function showStep(step: LadderStep, drawing: Drawing, view: View): void {
   view.show({ left: x - half, right: x + half, top: y - half, bottom: y + half });
 }
 
+function showFailure(error: unknown): void {
+  const reason = error instanceof Error ? error.message : String(error);
+  for (const id of ["layers", "tools", "scale"]) byId(id).hidden = true;
+  byId("stage").replaceChildren(element("p", { class: "failure", role: "alert" }, `No picture: ${reason}.`));
+}
+
 async function start(): Promise<void> {
   const report = await readReport();
   showHead(report, byId("title"), byId("verdict"), byId("facts"));
@@ -67,26 +91,24 @@ async function start(): Promise<void> {
   showAnswers(drawing, byId<HTMLTableElement>("answers"));
   showInputs(drawing, byId("inputs-panel"));
   byId("findings-tab").append(` ${report.findings.length}`);
-
-  const stage = byId("stage");
-  const view = new View(stage, drawing.box);
-  const scene = new Scene(byId<HTMLCanvasElement>("lines"), byId<HTMLCanvasElement>("below"), view, drawing);
-  const overlay = new Overlay(byId<HTMLCanvasElement>("overlay"), view, drawing, scene);
-  scene.onDraw = () => overlay.draw();
-  connectLayers(scene, overlay);
-  connectView(view);
   connectTabs();
-  const list = connectFindings(drawing, view, overlay);
-  showLadder(report, byId("ladder-panel"), (step) => showStep(step, drawing, view));
-  new Hover(byId("tip"), view, drawing, scene, overlay, byId("readout"), (finding) => list.choose(finding));
-  connectPrinting(() => list.showAll(), () => scene.recolour());
-  stage.setAttribute("aria-label", `The drawing with ${plural(report.findings.length, "finding")}. Arrow keys pan, + and - zoom, 0 shows all, n and p go through the findings.`);
-  scene.drawNow();
+  const list = new FindingList(drawing);
+  connectComparison(drawing, list);
+  let picture: ReturnType<typeof showPicture> | undefined;
+  try {
+    picture = showPicture(drawing, list);
+  } catch (error) {
+    showFailure(error); // the rest of the page is there without it
+  }
+  showLadder(report, byId("ladder-panel"), (step) => picture?.goTo(step));
+  connectPrinting((isPrinting) => {
+    list.setPrinting(isPrinting);
+    picture?.recolour();
+  });
   document.documentElement.dataset.ready = "yes";
-  Object.assign(window, { plumbline: { view, scene, drawing } }); // for tests, and for the curious
 }
 
 start().catch((error: unknown) => {
-  byId("stage").replaceChildren(element("p", { class: "failure", role: "alert" }, `The page cannot show the drawing: ${error instanceof Error ? error.message : error}.`));
+  showFailure(error);
   throw error;
 });

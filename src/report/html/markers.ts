@@ -1,6 +1,6 @@
 // Findings on the stage: rings with numbers; those that would overlap are one disc with their count.
 
-import { Box, emptyBox, extent, grow } from "./box";
+import { Box, emptyBox, extent, grow, overlap } from "./box";
 import type { Drawing } from "./drawing";
 import type { Finding } from "./report";
 import type { View } from "./view";
@@ -77,24 +77,26 @@ export interface MarkerColours {
   paper: string;
 }
 
-/// A ring with numbers where the findings have one place, else a disc with their count.
-export function drawMarker(
-  on: CanvasRenderingContext2D, marker: Marker, isOne: boolean, chosen: boolean,
+/// Rings with numbers where findings have one place, discs with their count elsewhere. Numbers
+/// that would cover another marker or number are left out: the pointer tells them.
+export function drawMarkers(
+  on: CanvasRenderingContext2D, markers: Marker[], view: View, chosen: Finding | undefined,
   colours: MarkerColours,
 ): void {
-  on.lineWidth = chosen ? 3 : 2;
-  on.strokeStyle = colours.mark;
-  on.textBaseline = "middle";
-  const count = marker.findings.length;
-  const radius = isOne ? 7 : 9 + Math.min(Math.log2(count), 6);
-  on.beginPath();
-  on.arc(marker.x, marker.y, radius, 0, 2 * Math.PI);
-  if (isOne) {
-    on.stroke();
-    drawNumbers(on, marker, radius, colours);
-    return;
+  const taken: Box[] = markers.map(({ x, y }) => ({ left: x - 8, top: y - 8, right: x + 8, bottom: y + 8 }));
+  for (const marker of markers) {
+    on.lineWidth = chosen && marker.findings.includes(chosen) ? 3 : 2;
+    on.strokeStyle = on.fillStyle = colours.mark;
+    on.textBaseline = "middle";
+    if (isOnePlace(marker, view)) drawRing(on, marker, taken, colours);
+    else drawDisc(on, marker, colours);
   }
-  on.fillStyle = colours.mark;
+}
+
+function drawDisc(on: CanvasRenderingContext2D, marker: Marker, colours: MarkerColours): void {
+  const count = marker.findings.length;
+  on.beginPath();
+  on.arc(marker.x, marker.y, 9 + Math.min(Math.log2(count), 6), 0, 2 * Math.PI);
   on.fill();
   on.fillStyle = colours.paper;
   on.textAlign = "center";
@@ -103,17 +105,24 @@ export function drawMarker(
   on.fillText(text, marker.x, marker.y + 0.5);
 }
 
-function drawNumbers(
-  on: CanvasRenderingContext2D, marker: Marker, radius: number, colours: MarkerColours,
+function drawRing(
+  on: CanvasRenderingContext2D, marker: Marker, taken: Box[], colours: MarkerColours,
 ): void {
+  const radius = 7;
+  on.beginPath();
+  on.arc(marker.x, marker.y, radius, 0, 2 * Math.PI);
+  on.stroke();
   const numbers = marker.findings.map((finding) => finding.number);
   const text = numbers.slice(0, mostNumbers).join(", ") + (numbers.length > mostNumbers ? ", …" : "");
   on.font = "600 12px system-ui, sans-serif";
   on.textAlign = "left";
+  const left = marker.x + radius + 4;
+  const box = { left, top: marker.y - 7, right: left + on.measureText(text).width, bottom: marker.y + 7 };
+  if (taken.some((other) => overlap(box, other))) return;
+  taken.push(box);
   on.lineWidth = 3.5;
   on.strokeStyle = colours.paper;
   on.lineJoin = "round";
-  on.strokeText(text, marker.x + radius + 4, marker.y);
-  on.fillStyle = colours.mark;
-  on.fillText(text, marker.x + radius + 4, marker.y);
+  on.strokeText(text, left, marker.y);
+  on.fillText(text, left, marker.y);
 }

@@ -4,7 +4,7 @@
 import { Box, emptyBox, extent, grow } from "./box";
 import { clipSegment } from "./clip";
 import type { Complex, Drawing } from "./drawing";
-import { drawMarker, isOnePlace, Marker, markersOf, Places } from "./markers";
+import { drawMarkers, Marker, markersOf, Places } from "./markers";
 import type { ComplexName, Finding } from "./report";
 import { facePath, Scene } from "./scene";
 import type { View } from "./view";
@@ -55,10 +55,7 @@ export class Overlay {
     if (!this.showFindings) return;
     this.markers = markersOf(this.places, this.view);
     const colours = { mark: this.css("mark"), paper: this.css("paper") };
-    for (const marker of this.markers) {
-      const isChosen = !!this.chosen && marker.findings.includes(this.chosen.finding);
-      drawMarker(on, marker, isOnePlace(marker, this.view), isChosen, colours);
-    }
+    drawMarkers(on, this.markers, this.view, this.chosen?.finding, colours);
   }
 
   private css(name: string): string {

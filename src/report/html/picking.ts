@@ -15,8 +15,8 @@ export function faceAt(
     const py = centres && size < 1 ? centres[2 * face + 1] + (y - centres[2 * face + 1]) / size : y;
     const i = 4 * face;
     if (px < boxes[i] || px > boxes[i + 2] || py < boxes[i + 1] || py > boxes[i + 3]) continue;
-    const isDeeper = complex.cells.faceDepth[face] > complex.cells.faceDepth[found] || found === 0;
-    if (isDeeper && isInside(complex, face, px, py)) found = face;
+    const isDeeper = complex.cells.faceDepth[face] > complex.cells.faceDepth[found];
+    if ((isDeeper || found === 0) && isInside(complex, face, px, py)) found = face;
   }
   return found;
 }

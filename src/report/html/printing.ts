@@ -1,15 +1,9 @@
-// For print: light colours, and all findings of the list.
+// For print: light colours, and all findings with all their numbers.
 
-export function connectPrinting(prepare: () => void, recolour: () => void): void {
+export function connectPrinting(prepare: (isPrinting: boolean) => void): void {
   const print = matchMedia("print");
-  window.addEventListener("beforeprint", () => {
-    prepare();
-    recolour();
-  });
-  window.addEventListener("afterprint", recolour);
-  print.addEventListener("change", () => {
-    if (print.matches) prepare();
-    recolour();
-  });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolour);
+  window.addEventListener("beforeprint", () => prepare(true));
+  window.addEventListener("afterprint", () => prepare(false));
+  print.addEventListener("change", () => prepare(print.matches));
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => prepare(print.matches));
 }

@@ -94,6 +94,7 @@ export interface Report {
   conversion: Finding[];
   ladder: Ladder | null;
   right_radii: [number, number] | null;
+  tried_radii: { radius: number; right: boolean }[];
   files: string[];
   rejected: (SourceKind & { line: number; column: number; id: string; reason: string; text: string })[];
   ledger: (SourceKind & { line: number; column: number; id: string; what: string; bound: string })[];

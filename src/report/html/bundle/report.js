@@ -101,7 +101,8 @@ for(let tab of tabs){let isChosen=tab===chosen;tab.setAttribute("aria-selected",
 0:-1,byId(tab.getAttribute("aria-controls")).hidden=!isChosen}};tabs.forEach((tab,i)=>{tab.addEventListener("click",()=>open(
 tab)),tab.addEventListener("keydown",event=>{let step={ArrowRight:1,ArrowLeft:-1}[event.key];if(!step)return;let next=tabs[(i+
 step+tabs.length)%tabs.length];open(next),next.focus()})})}var emptyBox=()=>({left:1/0,top:1/0,right:-1/0,bottom:-1/0});function grow(box,x,y){x<box.left&&(box.left=x),x>box.right&&
-(box.right=x),y<box.top&&(box.top=y),y>box.bottom&&(box.bottom=y)}var extent=box=>Math.max(box.right-box.left,box.bottom-box.top);var none=4294967295,Lists=class{constructor(sizes,values){this.values=values;this.begin=new Uint32Array(sizes.length+1);
+(box.right=x),y<box.top&&(box.top=y),y>box.bottom&&(box.bottom=y)}function overlap(a,b){return a.left<b.right&&b.left<a.
+right&&a.top<b.bottom&&b.top<a.bottom}var extent=box=>Math.max(box.right-box.left,box.bottom-box.top);var none=4294967295,Lists=class{constructor(sizes,values){this.values=values;this.begin=new Uint32Array(sizes.length+1);
 for(let i=0;i<sizes.length;++i)this.begin[i+1]=this.begin[i]+sizes[i]}get size(){return this.begin.length-1}of(i){return i<
 this.size?this.values.subarray(this.begin[i],this.begin[i+1]):this.values.subarray(0,0)}};function readIncidences(arrays,name){
 let lists=list=>new Lists(arrays.u32(`${name}.${list}_sizes`),arrays.u32(`${name}.${list}`));return{tail:arrays.u32(`${name}\
@@ -137,40 +138,41 @@ b)}sourceText(source,withFile=!0){let kind=this.report.page.kinds[this.arrays.u3
 `${source.line}:${source.column}`:"";return[file===void 0?line&&`line ${source.line}`:[file,line].filter(Boolean).join("\
 :"),source.element,source.id&&`#${source.id}`,source.path&&`(${source.path})`].filter(Boolean).join(" ")}var chunk=200,noStage="not attributed",stageOf=finding=>finding.cause?.stage??noStage,FindingList=class{constructor(drawing){
 this.drawing=drawing;this.onFilter=()=>{};this.onChoose=()=>{};this.comparison="float";this.hiddenKinds=new Set;this.hiddenStages=
-new Set;this.shown=[];this.list=byId("finding-list");this.more=byId("finding-more");this.total=byId("finding-total");new IntersectionObserver(
-entries=>{entries.some(entry=>entry.isIntersecting)&&this.addItems(chunk)}).observe(this.more),this.setComparison("float")}get all(){
-let{findings,conversion}=this.drawing.report;return this.comparison==="float"?findings:conversion}setComparison(comparison){
-this.comparison=comparison,this.hiddenKinds.clear(),this.hiddenStages.clear(),this.chips(byId("kind-filter"),this.hiddenKinds,
-finding=>finding.kind),this.chips(byId("stage-filter"),this.hiddenStages,stageOf),this.choose(void 0),this.filter()}step(by){
-if(this.shown.length===0)return;let now2=this.chosen?this.shown.indexOf(this.chosen):by>0?-1:0;this.choose(this.shown[(now2+
-by+this.shown.length)%this.shown.length])}choose(finding){if(this.item(this.chosen)?.replaceWith(this.makeItem(this.chosen,
-!1)),this.chosen=finding,finding){this.addItems(this.shown.indexOf(finding)+1-this.list.childElementCount);let item=this.
-makeItem(finding,!0);this.item(finding)?.replaceWith(item),item.scrollIntoView({block:"nearest"})}this.onChoose(finding)}showAll(){
-this.addItems(this.shown.length)}filter(){this.shown=this.all.filter(f=>!this.hiddenKinds.has(f.kind)&&!this.hiddenStages.
-has(stageOf(f))),this.list.replaceChildren(),this.addItems(chunk);let all=this.all.length;this.total.textContent=all===0?
-"No finding: every cell matches one to one.":this.shown.length===all?`${count(all)} in all`:`${count(this.shown.length)}\
- of ${count(all)}`,this.onFilter(this.shown)}addItems(number5){let first=this.list.childElementCount;for(let finding of this.
-shown.slice(first,first+Math.max(number5,0)))this.list.append(this.makeItem(finding,finding===this.chosen));this.more.hidden=
-this.list.childElementCount>=this.shown.length}item(finding){return finding?this.list.querySelector(`[data-number="${finding.
-number}"]`):null}chips(row2,hidden,group){let counts2=new Map;for(let finding of this.all)counts2.set(group(finding),(counts2.
-get(group(finding))??0)+1);row2.parentElement.hidden=counts2.size===0,row2.replaceChildren();for(let[name,n]of counts2){
-let chip=element("button",{class:"chip",type:"button","aria-pressed":"true"},name,element("span",{},count(n)));chip.dataset.
-value=name,chip.addEventListener("click",()=>{let isHidden=hidden.delete(name)?!1:!!hidden.add(name);chip.setAttribute("\
-aria-pressed",String(!isHidden)),this.filter()}),row2.append(chip)}}makeItem(finding,open){let head=element("button",{type:"\
-button",class:"finding-head","aria-expanded":String(open)},element("span",{class:"badge"},String(finding.number)),element(
-"span",{class:"what"},`${finding.kind} ${finding.disagreement}`),finding.cause&&element("span",{class:"stage"},finding.cause.
-stage),element("span",{class:"message"},finding.message));head.addEventListener("click",()=>this.choose(open?void 0:finding));
-let item=element("li",{class:open?"open":""},head,open&&this.details(finding));return item.dataset.number=String(finding.
-number),item}details(finding){let list=element("dl",{class:"details"}),add2=(term,...values)=>{values.some(Boolean)&&list.
-append(element("dt",{},term),element("dd",{},...values))},{where,cause}=finding;if(where&&(add2("place",where.nearest.map(
-String).join(", ")),add2("exact x",element("code",{},where.exact[0])),add2("exact y",element("code",{},where.exact[1]))),
-finding.distance!==null&&add2("distance",number(finding.distance,12)),add2("its square",finding.squared_distance&&element(
-"code",{},finding.squared_distance.exact)),finding.area&&add2("area",number(finding.area.nearest,12)," = ",element("code",
-{},finding.area.exact)),add2("invariant",finding.invariant),add2("exact cells",this.cells(finding,finding.exact_cells)),
-add2(`${this.comparison} cells`,this.cells(finding,finding.float_cells)),cause){let round2=cause.round?`, round ${cause.
-round}`:"";add2("stage",`${cause.stage}${round2}`,cause.confirmed&&element("span",{class:"confirmed",title:"With this on\
-e stage made exact, the finding disappears"},"confirmed")),add2("rule",cause.rule),add2("cause",cause.explanation),add2(
-"advice",cause.advice&&element("em",{},cause.advice))}let sources=element("ul");for(let source of finding.sources)sources.
+new Set;this.shown=[];this.isPrinting=!1;this.list=byId("finding-list");this.more=byId("finding-more");this.total=byId("\
+finding-total");new IntersectionObserver(entries=>{entries.some(entry=>entry.isIntersecting)&&this.addItems(chunk)}).observe(
+this.more),this.setComparison("float")}get all(){let{findings,conversion}=this.drawing.report;return this.comparison==="\
+float"?findings:conversion}setComparison(comparison){this.comparison=comparison,this.hiddenKinds.clear(),this.hiddenStages.
+clear(),this.chips(byId("kind-filter"),this.hiddenKinds,finding=>finding.kind),this.chips(byId("stage-filter"),this.hiddenStages,
+stageOf),this.choose(void 0),this.filter()}step(by){if(this.shown.length===0)return;let now2=this.chosen?this.shown.indexOf(
+this.chosen):by>0?-1:0;this.choose(this.shown[(now2+by+this.shown.length)%this.shown.length])}choose(finding){if(this.item(
+this.chosen)?.replaceWith(this.makeItem(this.chosen,!1)),this.chosen=finding,finding){this.addItems(this.shown.indexOf(finding)+
+1-this.list.childElementCount);let item=this.makeItem(finding,!0);this.item(finding)?.replaceWith(item),item.scrollIntoView(
+{block:"nearest"})}this.onChoose(finding)}setPrinting(isPrinting){this.isPrinting!==isPrinting&&(this.isPrinting=isPrinting,
+this.list.replaceChildren(),this.addItems(isPrinting?this.shown.length:chunk))}filter(){this.shown=this.all.filter(f=>!this.
+hiddenKinds.has(f.kind)&&!this.hiddenStages.has(stageOf(f))),this.list.replaceChildren(),this.addItems(chunk);let all=this.
+all.length;this.total.textContent=all===0?"No finding: every cell matches one to one.":this.shown.length===all?`${count(
+all)} in all`:`${count(this.shown.length)} of ${count(all)}`,this.onFilter(this.shown)}addItems(number5){let first=this.
+list.childElementCount;for(let finding of this.shown.slice(first,first+Math.max(number5,0)))this.list.append(this.makeItem(
+finding,this.isPrinting||finding===this.chosen));this.more.hidden=this.list.childElementCount>=this.shown.length}item(finding){
+return finding?this.list.querySelector(`[data-number="${finding.number}"]`):null}chips(row2,hidden,group){let counts2=new Map;
+for(let finding of this.all)counts2.set(group(finding),(counts2.get(group(finding))??0)+1);row2.parentElement.hidden=counts2.
+size===0,row2.replaceChildren();for(let[name,n]of counts2){let chip=element("button",{class:"chip",type:"button","aria-p\
+ressed":"true"},name,element("span",{},count(n)));chip.dataset.value=name,chip.addEventListener("click",()=>{let isHidden=hidden.
+delete(name)?!1:!!hidden.add(name);chip.setAttribute("aria-pressed",String(!isHidden)),this.filter()}),row2.append(chip)}}makeItem(finding,open){
+let head=element("button",{type:"button",class:"finding-head","aria-expanded":String(open)},element("span",{class:"badge"},
+String(finding.number)),element("span",{class:"what"},`${finding.kind} ${finding.disagreement}`),finding.cause&&element(
+"span",{class:"stage"},finding.cause.stage),element("span",{class:"message"},finding.message));head.addEventListener("cl\
+ick",()=>this.choose(open?void 0:finding));let item=element("li",{class:open?"open":""},head,open&&this.details(finding));
+return item.dataset.number=String(finding.number),item}details(finding){let list=element("dl",{class:"details"}),add2=(term,...values)=>{
+values.some(Boolean)&&list.append(element("dt",{},term),element("dd",{},...values))},{where,cause}=finding;if(where&&(add2(
+"place",where.nearest.map(String).join(", ")),add2("exact x",element("code",{},where.exact[0])),add2("exact y",element("\
+code",{},where.exact[1]))),finding.distance!==null&&add2("distance",number(finding.distance,12)),add2("its square",finding.
+squared_distance&&element("code",{},finding.squared_distance.exact)),finding.area&&add2("area",number(finding.area.nearest,
+12)," = ",element("code",{},finding.area.exact)),add2("invariant",finding.invariant),add2("exact cells",this.cells(finding,
+finding.exact_cells)),add2(`${this.comparison} cells`,this.cells(finding,finding.float_cells)),cause){let round2=cause.round?
+`, round ${cause.round}`:"";add2("stage",`${cause.stage}${round2}`,cause.confirmed&&element("span",{class:"confirmed",title:"\
+With this one stage made exact, the finding disappears"},"confirmed")),add2("rule",cause.rule),add2("cause",cause.explanation),
+add2("advice",cause.advice&&element("em",{},cause.advice))}let sources=element("ul");for(let source of finding.sources)sources.
 append(element("li",{},this.drawing.sourceText(source)));return add2("from",finding.sources.length>0&&sources),list}cells(finding,cells){
 if(cells.length===0)return"none";let most=24,names=cells.slice(0,most).join(", ")+(cells.length>most?", \u2026":"");return`${finding.
 kind==="hole"?"cycle":finding.kind} ${names}`}};var cell=30,reach=14,mostNumbers=4,Places=class{constructor(findings,drawing){this.findings=findings.filter(finding=>finding.
@@ -182,15 +184,18 @@ view.width+cell||py+shiftY<-cell||py+shiftY>view.height+cell)continue;let square
 floor(px/cell)-left2,marker=squares.get(square);marker||(marker={x:px+shiftX,y:py+shiftY,findings:[],box:emptyBox()},squares.
 set(square,marker)),marker.findings.push(findings[i]),grow(marker.box,x[i],y[i])}return[...squares.values()]}function isOnePlace(marker,view){
 return extent(marker.box)*view.transform.k<.001}function markerAt(markers,x,y){let best,nearest=reach;for(let marker of markers){
-let distance=Math.hypot(marker.x-x,marker.y-y);distance<=nearest&&([best,nearest]=[marker,distance])}return best}function drawMarker(on,marker,isOne,chosen,colours){
-on.lineWidth=chosen?3:2,on.strokeStyle=colours.mark,on.textBaseline="middle";let count2=marker.findings.length,radius=isOne?
-7:9+Math.min(Math.log2(count2),6);if(on.beginPath(),on.arc(marker.x,marker.y,radius,0,2*Math.PI),isOne){on.stroke(),drawNumbers(
-on,marker,radius,colours);return}on.fillStyle=colours.mark,on.fill(),on.fillStyle=colours.paper,on.textAlign="center";let text=count2<
-1e3?String(count2):`${Math.round(count2/1e3)}k`;on.font=`600 ${text.length>2?10:11}px system-ui, sans-serif`,on.fillText(
-text,marker.x,marker.y+.5)}function drawNumbers(on,marker,radius,colours){let numbers=marker.findings.map(finding=>finding.
-number),text=numbers.slice(0,mostNumbers).join(", ")+(numbers.length>mostNumbers?", \u2026":"");on.font="600 12px system\
--ui, sans-serif",on.textAlign="left",on.lineWidth=3.5,on.strokeStyle=colours.paper,on.lineJoin="round",on.strokeText(text,
-marker.x+radius+4,marker.y),on.fillStyle=colours.mark,on.fillText(text,marker.x+radius+4,marker.y)}function faceAt(complex,x,y,size2=1,centres){let boxes=complex.faceBoxes(),found=0;for(let face=1;face<complex.faceCount;++face){
+let distance=Math.hypot(marker.x-x,marker.y-y);distance<=nearest&&([best,nearest]=[marker,distance])}return best}function drawMarkers(on,markers,view,chosen,colours){
+let taken=markers.map(({x,y})=>({left:x-8,top:y-8,right:x+8,bottom:y+8}));for(let marker of markers)on.lineWidth=chosen&&
+marker.findings.includes(chosen)?3:2,on.strokeStyle=on.fillStyle=colours.mark,on.textBaseline="middle",isOnePlace(marker,
+view)?drawRing(on,marker,taken,colours):drawDisc(on,marker,colours)}function drawDisc(on,marker,colours){let count2=marker.
+findings.length;on.beginPath(),on.arc(marker.x,marker.y,9+Math.min(Math.log2(count2),6),0,2*Math.PI),on.fill(),on.fillStyle=
+colours.paper,on.textAlign="center";let text=count2<1e3?String(count2):`${Math.round(count2/1e3)}k`;on.font=`600 ${text.
+length>2?10:11}px system-ui, sans-serif`,on.fillText(text,marker.x,marker.y+.5)}function drawRing(on,marker,taken,colours){
+on.beginPath(),on.arc(marker.x,marker.y,7,0,2*Math.PI),on.stroke();let numbers=marker.findings.map(finding=>finding.number),
+text=numbers.slice(0,mostNumbers).join(", ")+(numbers.length>mostNumbers?", \u2026":"");on.font="600 12px system-ui, san\
+s-serif",on.textAlign="left";let left2=marker.x+7+4,box={left:left2,top:marker.y-7,right:left2+on.measureText(text).width,
+bottom:marker.y+7};taken.some(other=>overlap(box,other))||(taken.push(box),on.lineWidth=3.5,on.strokeStyle=colours.paper,
+on.lineJoin="round",on.strokeText(text,left2,marker.y),on.fillText(text,left2,marker.y))}function faceAt(complex,x,y,size2=1,centres){let boxes=complex.faceBoxes(),found=0;for(let face=1;face<complex.faceCount;++face){
 let px=centres&&size2<1?centres[2*face]+(x-centres[2*face])/size2:x,py=centres&&size2<1?centres[2*face+1]+(y-centres[2*face+
 1])/size2:y,i=4*face;if(px<boxes[i]||px>boxes[i+2]||py<boxes[i+1]||py>boxes[i+3])continue;(complex.cells.faceDepth[face]>
 complex.cells.faceDepth[found]||found===0)&&isInside(complex,face,px,py)&&(found=face)}return found}function isInside(complex,face,x,y){
@@ -724,37 +729,42 @@ point.y=event.clientY,point=point.matrixTransform(node.getScreenCTM().inverse())
 var rect=node.getBoundingClientRect();return[event.clientX-rect.left-node.clientLeft,event.clientY-rect.top-node.clientTop]}}
 return[event.pageX,event.pageY]}var size={width:372,height:230,left:46,right:12,top:12,bottom:36},series=["edges","vertices","faces"],rowsAtOnce=100;function showLadder(report,place,goTo){
 let{ladder}=report;if(!ladder||ladder.steps.length===0){place.append(element("p",{class:"quiet"},ladder?"No critical rad\
-ius: nothing falls together.":"This report has no tolerance ladder."));return}place.append(element("p",{class:"quiet"},"\
-Numbers of cells of the exact complex when all within the radius is merged."),plot(report,ladder),legend(),table(ladder,
-goTo)),ladder.complete||place.append(element("p",{class:"quiet"},"The ladder goes on beyond its last step."))}function plot(report,ladder){
-let{width,height}=size,radii=ladder.steps.map(step=>step.radius).filter(radius=>radius>0),all=report.radius?[...radii,report.
-radius]:radii,first=Math.min(...all)/3,last=Math.max(...all)*3,x=log([first,last],[size.left,width-size.right]).clamp(!0),
-most=Math.max(ladder.vertices,ladder.edges,ladder.faces),y=linear2([0,most],[height-size.bottom,size.top]).nice(4),svg=select(
-document.createElementNS("http://www.w3.org/2000/svg","svg")).attr("viewBox",`0 0 ${width} ${height}`).attr("role","img").
-attr("aria-label","Numbers of vertices, edges and faces over the radius; the table below has them");if(report.right_radii){
-let[least,largest]=report.right_radii.map(radius=>x(Math.max(radius,first)));svg.append("rect").attr("class","right-radi\
-i").attr("x",least).attr("y",size.top).attr("width",Math.max(largest-least,1)).attr("height",height-size.top-size.bottom).
-append("title").text("radii for which the float result is right")}let decades=Math.ceil(Math.log10(last/first));svg.append(
-"g").attr("transform",`translate(0,${height-size.bottom})`).call(axisBottom(x).ticks(Math.min(decades,6),"~e").tickSizeOuter(
-0)),svg.append("g").attr("transform",`translate(${size.left},0)`).call(axisLeft(y).ticks(4,"~s").tickSizeOuter(0)).call(
-g=>g.selectAll(".tick line").clone().attr("class","grid").attr("x2",width-size.left-size.right)),svg.append("text").attr(
-"class","axis-title").attr("x",(size.left+width)/2).attr("y",height-4).attr("text-anchor","middle").text("radius");for(let name of series){
-let path=`M${x(first)},${y(ladder[name])}`;for(let step of ladder.steps)path+=`H${x(Math.max(step.radius,first))}V${y(step[name])}`;
-svg.append("path").attr("class",`series ${name}`).attr("d",`${path}H${x(last)}`)}if(report.radius){let at=x(report.radius);
-svg.append("line").attr("class","radius").attr("x1",at).attr("x2",at).attr("y1",size.top).attr("y2",height-size.bottom);
-let isRight=at>width/2;svg.append("text").attr("class","radius").attr("x",at+(isRight?-5:5)).attr("y",size.top+9).attr("\
-text-anchor",isRight?"end":"start").text(`radius ${number(report.radius,4)}`)}return svg.node()}function legend(){let row2=element(
-"p",{class:"legend"});for(let name of series)row2.append(element("span",{class:`key ${name}`}),` ${name} `);return row2}
-function table(ladder,goTo){let body=element("tbody"),rows2=[null,...ladder.steps],more=element("button",{type:"button",
-class:"more"},"Show more"),add2=()=>{let next=rows2.slice(body.childElementCount,body.childElementCount+rowsAtOnce);for(let step of next)
-body.append(row(step,ladder,goTo));more.hidden=body.childElementCount>=rows2.length};more.addEventListener("click",add2),
-add2();let head=element("tr");for(let title of["radius","V","E","F","what is near"])head.append(element("th",{scope:"col"},
-title));return element("div",{},element("table",{class:"numbers"},element("thead",{},head),body),more)}function row(step,ladder,goTo){
-let{vertices,edges,faces}=step??ladder,near=element("td");if(step&&step.vertex!==null){let other=step.edge!==null?`edge ${step.
-edge}`:`vertex ${step.other_vertex}`,button=element("button",{type:"button",class:"link"},`vertex ${step.vertex}, ${other}`);
-button.addEventListener("click",()=>goTo(step)),near.append(button)}return element("tr",{},element("th",{scope:"row",title:step?
-`squared: ${step.squared_radius}`:""},step?number(step.radius):"0"),...[vertices,edges,faces].map(n=>element("td",{},count(
-n))),near)}function clipSegment(box,ax,ay,bx,by,out){let dx=bx-ax,dy=by-ay,first=0,last=1,passes=(step,room)=>{if(step===0)return room>=
+ius: nothing falls together.":"This report has no tolerance ladder."));return}if(place.append(element("p",{class:"quiet"},
+"Numbers of cells of the exact complex when all within the radius is merged."),plot(report,ladder),legend(),table(ladder,
+goTo)),report.tried_radii.length>0){let right2=report.right_radii;place.append(element("p",{class:"quiet"},right2?`The f\
+loat result is right for every radius tried from ${number(right2[0])} to ${number(right2[1])} (filled dots).`:"The float\
+ result was wrong for every radius tried (empty dots)."))}ladder.complete||place.append(element("p",{class:"quiet"},"The\
+ ladder goes on beyond its last step."))}function plot(report,ladder){let{width,height}=size,radii=ladder.steps.map(step=>step.
+radius).filter(radius=>radius>0),all=report.radius?[...radii,report.radius]:radii,first=Math.min(...all)/3,last=Math.max(
+...all)*3,x=log([first,last],[size.left,width-size.right]).clamp(!0),most=Math.max(ladder.vertices,ladder.edges,ladder.faces),
+y=linear2([0,most],[height-size.bottom,size.top]).nice(4),svg=select(document.createElementNS("http://www.w3.org/2000/sv\
+g","svg")).attr("viewBox",`0 0 ${width} ${height}`).attr("role","img").attr("aria-label","Numbers of vertices, edges and\
+ faces over the radius; the table below has them");if(report.right_radii){let[least,largest]=report.right_radii.map(radius=>x(
+Math.max(radius,first)));svg.append("rect").attr("class","right-radii").attr("x",least).attr("y",size.top).attr("width",
+Math.max(largest-least,1)).attr("height",height-size.top-size.bottom).append("title").text("radii for which the float re\
+sult is right")}let decades=Math.ceil(Math.log10(last/first));svg.append("g").attr("transform",`translate(0,${height-size.
+bottom})`).call(axisBottom(x).ticks(Math.min(decades,6),"~e").tickSizeOuter(0)),svg.append("g").attr("transform",`transl\
+ate(${size.left},0)`).call(axisLeft(y).ticks(4,"~s").tickSizeOuter(0)).call(g=>g.selectAll(".tick line").clone().attr("c\
+lass","grid").attr("x2",width-size.left-size.right)),svg.append("text").attr("class","axis-title").attr("x",(size.left+width)/
+2).attr("y",height-4).attr("text-anchor","middle").text("radius");for(let name of series){let path=`M${x(first)},${y(ladder[name])}`;
+for(let step of ladder.steps)path+=`H${x(Math.max(step.radius,first))}V${y(step[name])}`;svg.append("path").attr("class",
+`series ${name}`).attr("d",`${path}H${x(last)}`)}for(let{radius,right:right2}of report.tried_radii)radius>=first&&radius<=
+last&&svg.append("circle").attr("class",right2?"tried right":"tried").attr("cx",x(radius)).attr("cy",height-size.bottom).
+attr("r",3).append("title").text(`radius ${number(radius)}: ${right2?"right":"wrong"}`);if(report.radius){let at=x(report.
+radius);svg.append("line").attr("class","radius").attr("x1",at).attr("x2",at).attr("y1",size.top).attr("y2",height-size.
+bottom);let isRight=at>width/2;svg.append("text").attr("class","radius").attr("x",at+(isRight?-5:5)).attr("y",size.top+9).
+attr("text-anchor",isRight?"end":"start").text(`radius ${number(report.radius,4)}`)}return svg.node()}function legend(){
+let row2=element("p",{class:"legend"});for(let name of series)row2.append(element("span",{class:`key ${name}`}),` ${name}\
+ `);return row2}function table(ladder,goTo){let body=element("tbody"),rows2=[null,...ladder.steps],more=element("button",
+{type:"button",class:"more"},"Show more"),add2=()=>{let next=rows2.slice(body.childElementCount,body.childElementCount+rowsAtOnce);
+for(let step of next)body.append(row(step,ladder,goTo));more.hidden=body.childElementCount>=rows2.length};more.addEventListener(
+"click",add2),add2();let head=element("tr");for(let title of["radius","V","E","F","what is near"])head.append(element("t\
+h",{scope:"col"},title));return element("div",{},element("table",{class:"numbers"},element("thead",{},head),body),more)}
+function row(step,ladder,goTo){let{vertices,edges,faces}=step??ladder,near=element("td");if(step&&step.vertex!==null){let other=step.
+edge!==null?`edge ${step.edge}`:`vertex ${step.other_vertex}`,button=element("button",{type:"button",class:"link"},`vert\
+ex ${step.vertex}, ${other}`);button.addEventListener("click",()=>goTo(step)),near.append(button)}return element("tr",{},
+element("th",{scope:"row",title:step?`squared: ${step.squared_radius}`:""},step?number(step.radius):"0"),...[vertices,edges,
+faces].map(n=>element("td",{},count(n))),near)}function clipSegment(box,ax,ay,bx,by,out){let dx=bx-ax,dy=by-ay,first=0,last=1,passes=(step,room)=>{if(step===0)return room>=
 0;let t=room/step;return step<0?first=Math.max(first,t):last=Math.min(last,t),first<=last};!passes(-dx,ax-box.left)||!passes(
 dx,box.right-ax)||!passes(-dy,ay-box.top)||!passes(dy,box.bottom-ay)||out.push(first===0?ax:ax+first*dx,first===0?ay:ay+
 first*dy,last===1?bx:ax+last*dx,last===1?by:ay+last*dy)}function clipRing(box,ring){let sides=[[0,box.left,1],[0,box.right,
@@ -1712,39 +1722,39 @@ places=new Places([],drawing)}setFindings(findings){this.places=new Places(findi
 width,height}=this.view,ratio=devicePixelRatio||1,on=this.context;if(this.canvas.width=Math.round(width*ratio),this.canvas.
 height=Math.round(height*ratio),on.setTransform(ratio,0,0,ratio,0,0),this.markers=[],this.scene.size<1)return;if(this.drawHovered(
 on),this.drawVertices(on),this.chosen)for(let side of this.chosen.sides)this.drawCells(on,side);if(!this.showFindings)return;
-this.markers=markersOf(this.places,this.view);let colours={mark:this.css("mark"),paper:this.css("paper")};for(let marker of this.
-markers){let isChosen=!!this.chosen&&marker.findings.includes(this.chosen.finding);drawMarker(on,marker,isOnePlace(marker,
-this.view),isChosen,colours)}}css(name){return this.scene.theme.css(name)}drawHovered(on){if(!this.hovered)return;let path=facePath(
-this.hovered.complex,this.hovered.face,this.view,8);on.fillStyle=this.css("hover"),on.fill(path,"evenodd"),on.strokeStyle=
-this.css("ink"),on.lineWidth=1.5,on.stroke(path)}drawVertices(on){for(let name of["float","doubles","authored"]){if(!this.
-scene.lines.has(name))continue;let complex=this.drawing.complexes[name];for(let vertex of complex.cells.isolated)this.dot(
-on,complex,vertex,2.5);let inView=this.verticesInView(complex);if(inView)for(let vertex of inView)this.dot(on,complex,vertex,
-name==="float"?4.5:2.4)}}verticesInView(complex){let box=this.view.visible(8),inView=[];for(let v=0;v<complex.x.length;++v)
-if(!(complex.x[v]<box.left||complex.x[v]>box.right)&&!(complex.y[v]<box.top||complex.y[v]>box.bottom)&&inView.push(v)>mostVertices)
-return;return Math.sqrt(this.view.width*this.view.height/Math.max(inView.length,1))>roomyVertices?inView:void 0}dot(on,complex,vertex,radius){
-let{k,x,y}=this.view.transform;on.beginPath(),on.arc(complex.x[vertex]*k+x,complex.y[vertex]*k+y,radius,0,2*Math.PI),on.
-fillStyle=this.css(complex.name),on.fill()}drawCells(on,{complex,cells}){let kind=this.chosen.finding.kind;if(on.strokeStyle=
-this.css(`${complex.name}-strong`),on.lineWidth=complex.name==="authored"?3:7,on.globalAlpha=complex.name==="authored"?1:
-.55,on.lineCap="round",kind==="vertex")for(let cell2 of cells)this.ring(on,complex,cell2);if(kind==="edge"&&this.strokeEdges(
-on,complex,cells),kind==="hole")for(let cell2 of cells)this.strokeEdges(on,complex,Array.from(complex.cells.cycles.of(cell2),
-h=>h>>>1));if(kind==="face")for(let cell2 of cells)cell2>0&&this.strokeFace(on,complex,cell2);on.globalAlpha=1}ring(on,complex,vertex){
-let{k,x,y}=this.view.transform;on.beginPath();let radius=complex.name==="authored"?6:11;on.arc(complex.x[vertex]*k+x,complex.
-y[vertex]*k+y,radius,0,2*Math.PI),on.stroke()}strokeEdges(on,complex,edges){let{tail,head}=complex.cells,{k,x,y}=this.view.
-transform,ends=[],box=this.view.visible(16);for(let edge of edges){let[a,b]=[tail[edge],head[edge]];clipSegment(box,complex.
-x[a],complex.y[a],complex.x[b],complex.y[b],ends)}on.beginPath();for(let i=0;i<ends.length;i+=4)on.moveTo(ends[i]*k+x,ends[i+
-1]*k+y),on.lineTo(ends[i+2]*k+x,ends[i+3]*k+y);on.stroke()}strokeFace(on,complex,face){let edges=complex.cyclesOf(face).
-flatMap(cycle=>Array.from(complex.cells.cycles.of(cycle),h=>h>>>1));this.strokeEdges(on,complex,edges),on.globalAlpha=.12,
-on.fillStyle=this.css(`${complex.name}-strong`),on.fill(facePath(complex,face,this.view,16),"evenodd"),on.globalAlpha=complex.
-name==="authored"?1:.55}};function boxOf(finding,sides,drawing){let whole=extent(drawing.box);if(!finding.where)return drawing.
-box;let[x,y]=drawing.local(finding.where.nearest),box=emptyBox();grow(box,x,y);for(let{complex,cells}of sides)for(let cell2 of cells)
-growByCell(box,complex,finding.kind,cell2);let size2=Math.max(extent(box),finding.distance??0),fallback=Math.max(drawing.
-report.tolerance,whole*.001),room=size2>0?size2:fallback*4,half=finding.kind==="vertex"?room*2.5:room*.75,[cx,cy]=[(box.
-left+box.right)/2,(box.top+box.bottom)/2];return{left:cx-half,right:cx+half,top:cy-half,bottom:cy+half}}function growByCell(box,complex,kind,cell2){
-let byHalfedges=cycle=>{for(let h of complex.cells.cycles.of(cycle))complex.growBy(box,complex.originOf(h))};kind==="ver\
-tex"&&complex.growBy(box,cell2),kind==="edge"&&(complex.growBy(box,complex.cells.tail[cell2]),complex.growBy(box,complex.
-cells.head[cell2])),kind==="hole"&&byHalfedges(cell2),kind==="face"&&cell2>0&&complex.cyclesOf(cell2).forEach(byHalfedges)}function connectPrinting(prepare,recolour){let print=matchMedia("print");window.addEventListener("beforeprint",()=>{prepare(),
-recolour()}),window.addEventListener("afterprint",recolour),print.addEventListener("change",()=>{print.matches&&prepare(),
-recolour()}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",recolour)}var rows=[["vertices","vertices"],["edges","edges"],["faces","faces"],["holes","holes"],["depth","nesting depth"],["comp\
+this.markers=markersOf(this.places,this.view);let colours={mark:this.css("mark"),paper:this.css("paper")};drawMarkers(on,
+this.markers,this.view,this.chosen?.finding,colours)}css(name){return this.scene.theme.css(name)}drawHovered(on){if(!this.
+hovered)return;let path=facePath(this.hovered.complex,this.hovered.face,this.view,8);on.fillStyle=this.css("hover"),on.fill(
+path,"evenodd"),on.strokeStyle=this.css("ink"),on.lineWidth=1.5,on.stroke(path)}drawVertices(on){for(let name of["float",
+"doubles","authored"]){if(!this.scene.lines.has(name))continue;let complex=this.drawing.complexes[name];for(let vertex of complex.
+cells.isolated)this.dot(on,complex,vertex,2.5);let inView=this.verticesInView(complex);if(inView)for(let vertex of inView)
+this.dot(on,complex,vertex,name==="float"?4.5:2.4)}}verticesInView(complex){let box=this.view.visible(8),inView=[];for(let v=0;v<
+complex.x.length;++v)if(!(complex.x[v]<box.left||complex.x[v]>box.right)&&!(complex.y[v]<box.top||complex.y[v]>box.bottom)&&
+inView.push(v)>mostVertices)return;return Math.sqrt(this.view.width*this.view.height/Math.max(inView.length,1))>roomyVertices?
+inView:void 0}dot(on,complex,vertex,radius){let{k,x,y}=this.view.transform;on.beginPath(),on.arc(complex.x[vertex]*k+x,complex.
+y[vertex]*k+y,radius,0,2*Math.PI),on.fillStyle=this.css(complex.name),on.fill()}drawCells(on,{complex,cells}){let kind=this.
+chosen.finding.kind;if(on.strokeStyle=this.css(`${complex.name}-strong`),on.lineWidth=complex.name==="authored"?3:7,on.globalAlpha=
+complex.name==="authored"?1:.55,on.lineCap="round",kind==="vertex")for(let cell2 of cells)this.ring(on,complex,cell2);if(kind===
+"edge"&&this.strokeEdges(on,complex,cells),kind==="hole")for(let cell2 of cells)this.strokeEdges(on,complex,Array.from(complex.
+cells.cycles.of(cell2),h=>h>>>1));if(kind==="face")for(let cell2 of cells)cell2>0&&this.strokeFace(on,complex,cell2);on.
+globalAlpha=1}ring(on,complex,vertex){let{k,x,y}=this.view.transform;on.beginPath();let radius=complex.name==="authored"?
+6:11;on.arc(complex.x[vertex]*k+x,complex.y[vertex]*k+y,radius,0,2*Math.PI),on.stroke()}strokeEdges(on,complex,edges){let{
+tail,head}=complex.cells,{k,x,y}=this.view.transform,ends=[],box=this.view.visible(16);for(let edge of edges){let[a,b]=[
+tail[edge],head[edge]];clipSegment(box,complex.x[a],complex.y[a],complex.x[b],complex.y[b],ends)}on.beginPath();for(let i=0;i<
+ends.length;i+=4)on.moveTo(ends[i]*k+x,ends[i+1]*k+y),on.lineTo(ends[i+2]*k+x,ends[i+3]*k+y);on.stroke()}strokeFace(on,complex,face){
+let edges=complex.cyclesOf(face).flatMap(cycle=>Array.from(complex.cells.cycles.of(cycle),h=>h>>>1));this.strokeEdges(on,
+complex,edges),on.globalAlpha=.12,on.fillStyle=this.css(`${complex.name}-strong`),on.fill(facePath(complex,face,this.view,
+16),"evenodd"),on.globalAlpha=complex.name==="authored"?1:.55}};function boxOf(finding,sides,drawing){let whole=extent(drawing.
+box);if(!finding.where)return drawing.box;let[x,y]=drawing.local(finding.where.nearest),box=emptyBox();grow(box,x,y);for(let{
+complex,cells}of sides)for(let cell2 of cells)growByCell(box,complex,finding.kind,cell2);let size2=Math.max(extent(box),
+finding.distance??0),fallback=Math.max(drawing.report.tolerance,whole*.001),room=size2>0?size2:fallback*4,half=finding.kind===
+"vertex"?room*2.5:room*.75,[cx,cy]=[(box.left+box.right)/2,(box.top+box.bottom)/2];return{left:cx-half,right:cx+half,top:cy-
+half,bottom:cy+half}}function growByCell(box,complex,kind,cell2){let byHalfedges=cycle=>{for(let h of complex.cells.cycles.
+of(cycle))complex.growBy(box,complex.originOf(h))};kind==="vertex"&&complex.growBy(box,cell2),kind==="edge"&&(complex.growBy(
+box,complex.cells.tail[cell2]),complex.growBy(box,complex.cells.head[cell2])),kind==="hole"&&byHalfedges(cell2),kind==="\
+face"&&cell2>0&&complex.cyclesOf(cell2).forEach(byHalfedges)}function connectPrinting(prepare){let print=matchMedia("print");window.addEventListener("beforeprint",()=>prepare(!0)),window.
+addEventListener("afterprint",()=>prepare(!1)),print.addEventListener("change",()=>prepare(print.matches)),matchMedia("(\
+prefers-color-scheme: dark)").addEventListener("change",()=>prepare(print.matches))}var rows=[["vertices","vertices"],["edges","edges"],["faces","faces"],["holes","holes"],["depth","nesting depth"],["comp\
 onents","components"],["antennas","antennas"],["isolated_vertices","isolated vertices"]];function showHead(report,title,verdict,facts){
 title.textContent=report.files.join(", ")||"drawing";let agrees=report.verdict==="agree";verdict.textContent=agrees?"Agr\
 ee":`Disagree: ${plural(report.findings.length,"finding")}`,verdict.className=agrees?"agree":"disagree";let parts=[resultTitle(
@@ -1783,25 +1793,28 @@ width,this.height/height),to=identity4.translate(this.width/2,this.height/2).sca
 transform.k;this.selection.interrupt(),this.behavior.translateBy(this.selection,x*keyStep*this.width/k,y*keyStep*this.height/
 k)},action={ArrowLeft:()=>pan(1,0),ArrowRight:()=>pan(-1,0),ArrowUp:()=>pan(0,1),ArrowDown:()=>pan(0,-1),"+":()=>this.zoomBy(
 keyZoom),"=":()=>this.zoomBy(keyZoom),"-":()=>this.zoomBy(1/keyZoom),0:()=>this.showAll(),Home:()=>this.showAll()}[event.
-key];action&&(event.preventDefault(),action())}};async function readReport(){return await(await unpacked(byId("report").textContent)).json()}function connectFindings(drawing,view,overlay){
-let list=new FindingList(drawing),sidesOf=finding=>[{complex:drawing.complexes[list.comparison],cells:finding.float_cells},
-{complex:drawing.complexes.authored,cells:finding.exact_cells}];return list.onFilter=findings=>overlay.setFindings(findings),
-list.onChoose=finding=>{overlay.chosen=finding&&{finding,sides:sidesOf(finding)},finding&&view.show(boxOf(finding,overlay.
-chosen.sides,drawing)),overlay.draw()},overlay.setFindings(list.all),view.stage.addEventListener("keydown",event=>{event.
-key==="n"&&list.step(1),event.key==="p"&&list.step(-1),event.key==="Escape"&&list.choose(void 0)}),connectComparison(drawing,
-list),list}function connectComparison({report},list){let choice=byId("comparison");choice.hidden=report.conversion.length===
-0;for(let button of choice.querySelectorAll("button"))button.addEventListener("click",()=>{for(let other of choice.querySelectorAll(
-"button"))other.setAttribute("aria-pressed",String(other===button));list.setComparison(button.value)})}function showStep(step,drawing,view){
-let complex=drawing.complexes.authored,[x,y]=[complex.x[step.vertex],complex.y[step.vertex]],half=3*step.radius;view.show(
-{left:x-half,right:x+half,top:y-half,bottom:y+half})}async function start2(){let report=await readReport();showHead(report,
-byId("title"),byId("verdict"),byId("facts"));let drawing=await Drawing.read(report,byId("arrays").textContent);showAnswers(
-drawing,byId("answers")),showInputs(drawing,byId("inputs-panel")),byId("findings-tab").append(` ${report.findings.length}`);
+key];action&&(event.preventDefault(),action())}};async function readReport(){return await(await unpacked(byId("report").textContent)).json()}function showPicture(drawing,list){
 let stage=byId("stage"),view=new View(stage,drawing.box),scene=new Scene(byId("lines"),byId("below"),view,drawing),overlay=new Overlay(
-byId("overlay"),view,drawing,scene);scene.onDraw=()=>overlay.draw(),connectLayers(scene,overlay),connectView(view),connectTabs();
-let list=connectFindings(drawing,view,overlay);showLadder(report,byId("ladder-panel"),step=>showStep(step,drawing,view)),
-new Hover(byId("tip"),view,drawing,scene,overlay,byId("readout"),finding=>list.choose(finding)),connectPrinting(()=>list.
-showAll(),()=>scene.recolour()),stage.setAttribute("aria-label",`The drawing with ${plural(report.findings.length,"findi\
-ng")}. Arrow keys pan, + and - zoom, 0 shows all, n and p go through the findings.`),scene.drawNow(),document.documentElement.
-dataset.ready="yes",Object.assign(window,{plumbline:{view,scene,drawing}})}start2().catch(error2=>{throw byId("stage").replaceChildren(
-element("p",{class:"failure",role:"alert"},`The page cannot show the drawing: ${error2 instanceof Error?error2.message:error2}\
-.`)),error2});})();
+byId("overlay"),view,drawing,scene);return scene.onDraw=()=>overlay.draw(),connectLayers(scene,overlay),connectView(view),
+connectFindings(drawing,list,view,overlay),new Hover(byId("tip"),view,drawing,scene,overlay,byId("readout"),finding=>list.
+choose(finding)),scene.drawNow(),Object.assign(window,{plumbline:{view,scene,drawing}}),{goTo:step=>showStep(step,drawing,
+view),recolour:()=>scene.recolour()}}function connectFindings(drawing,list,view,overlay){let sidesOf=finding=>[{complex:drawing.
+complexes[list.comparison],cells:finding.float_cells},{complex:drawing.complexes.authored,cells:finding.exact_cells}];list.
+onFilter=findings2=>overlay.setFindings(findings2),list.onChoose=finding=>{overlay.chosen=finding&&{finding,sides:sidesOf(
+finding)},finding&&view.show(boxOf(finding,overlay.chosen.sides,drawing)),overlay.draw()},overlay.setFindings(list.all),
+view.stage.addEventListener("keydown",event=>{event.key==="n"&&list.step(1),event.key==="p"&&list.step(-1),event.key==="\
+Escape"&&list.choose(void 0)});let findings=plural(drawing.report.findings.length,"finding");view.stage.setAttribute("ar\
+ia-label",`The drawing with ${findings}. Arrow keys pan, + and - zoom, 0 shows all, n and p go through the findings.`)}function connectComparison({
+report},list){let choice=byId("comparison");choice.hidden=report.conversion.length===0;let buttons=[...choice.querySelectorAll(
+"button")];for(let button of buttons)button.addEventListener("click",()=>{for(let other of buttons)other.setAttribute("a\
+ria-pressed",String(other===button));list.setComparison(button.value)})}function showStep(step,drawing,view){let complex=drawing.
+complexes.authored,[x,y]=[complex.x[step.vertex],complex.y[step.vertex]],half=3*step.radius;view.show({left:x-half,right:x+
+half,top:y-half,bottom:y+half})}function showFailure(error2){let reason=error2 instanceof Error?error2.message:String(error2);
+for(let id2 of["layers","tools","scale"])byId(id2).hidden=!0;byId("stage").replaceChildren(element("p",{class:"failure",
+role:"alert"},`No picture: ${reason}.`))}async function start2(){let report=await readReport();showHead(report,byId("tit\
+le"),byId("verdict"),byId("facts"));let drawing=await Drawing.read(report,byId("arrays").textContent);showAnswers(drawing,
+byId("answers")),showInputs(drawing,byId("inputs-panel")),byId("findings-tab").append(` ${report.findings.length}`),connectTabs();
+let list=new FindingList(drawing);connectComparison(drawing,list);let picture;try{picture=showPicture(drawing,list)}catch(error2){
+showFailure(error2)}showLadder(report,byId("ladder-panel"),step=>picture?.goTo(step)),connectPrinting(isPrinting=>{list.
+setPrinting(isPrinting),picture?.recolour()}),document.documentElement.dataset.ready="yes"}start2().catch(error2=>{throw showFailure(
+error2),error2});})();
