@@ -57,7 +57,7 @@ struct Cause {
   /// input continued exactly it is not.
   bool confirmed = false;
   /// With the stage replaced by its exact counterpart and the later ones run as they are, these
-  /// make the finding again. None: not tried, as for Parse and Transform.
+  /// make the finding again. None: not tried, as for Parse and Transform, and on large drawings.
   std::optional<bool> remade;
 };
 

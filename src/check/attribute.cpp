@@ -236,8 +236,10 @@ void Attribution::run_without_owners() {
   std::map<std::pair<Stage, std::size_t>, std::vector<Finding*>> by_stage;
   for (Finding& finding : result_.findings)
     by_stage[{finding.cause->stage, finding.cause->round}].push_back(&finding);
+  const bool is_large = exact_.edge_count() > kMostEdgesRunAgain;
   for (const auto& [place, findings] : by_stage) {
     if (place.first == Stage::Parse || place.first == Stage::Transform) continue;
+    if (is_large && result_.float_valid) continue;
     const std::optional<FloatComplex> replaced = run_.with_exact(place.first, place.second);
     if (!replaced) continue;
     const Crosscheck now = crosscheck(exact_, *replaced, result_.tolerance);

@@ -4,6 +4,10 @@
 
 namespace plumbline::checking {
 
+/// Of larger drawings, whether later stages would make a finding again is tried only where the
+/// float complex is invalid (Cause::remade): each stage that owns findings takes a run more.
+inline constexpr std::size_t kMostEdgesRunAgain = 20'000;
+
 /// Fills in the causes of all findings of `result`, the cross-check of a run's float complex. The
 /// owner of a finding is the first stage from which on it is there to the end, each stage's output
 /// being continued exactly: its own input, so continued, does not have the finding. What makes the

@@ -47,9 +47,9 @@ std::string plural(CellKind kind) {
 }
 
 /// "2 edges merged, 1 face missing", the most frequent first, some of them.
-std::string kinds(const std::vector<Finding>& findings) {
+std::string kinds(const std::vector<const Finding*>& findings) {
   std::map<std::pair<CellKind, Disagreement>, std::size_t> counts;
-  for (const Finding& finding : findings) ++counts[{finding.kind, finding.disagreement}];
+  for (const Finding* finding : findings) ++counts[{finding->kind, finding->disagreement}];
   std::vector<std::pair<std::pair<CellKind, Disagreement>, std::size_t>> sorted(counts.begin(),
                                                                                 counts.end());
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -66,23 +66,24 @@ std::string kinds(const std::vector<Finding>& findings) {
 /// What rounding alone would change.
 void append_conversion(std::string& text, const Crosscheck& conversion) {
   if (conversion.agree()) return;
-  fmt::format_to(Out(text), "rounding the input to doubles alone changes: {}\n",
-                 kinds(conversion.findings));
+  std::vector<const Finding*> findings;
+  for (const Finding& finding : conversion.findings) findings.push_back(&finding);
+  fmt::format_to(Out(text), "rounding the input to doubles alone changes: {}\n", kinds(findings));
 }
 
 /// One row per stage and rule, the most frequent first.
 void append_causes(std::string& text, const std::vector<Finding>& findings) {
-  std::map<std::tuple<Stage, std::size_t, std::string>, std::vector<Finding>> by_cause;
+  std::map<std::tuple<Stage, std::size_t, std::string>, std::vector<const Finding*>> by_cause;
   for (const Finding& finding : findings)
     if (finding.cause)
       by_cause[{finding.cause->stage, finding.cause->round, finding.cause->rule}].push_back(
-          finding);
+          &finding);
   if (by_cause.empty()) return;
   text += "\nwhere they come from\n";
   for (const auto& [cause, of_cause] : by_cause) {
     const auto& [stage, round, rule] = cause;
     const auto confirmed = std::count_if(of_cause.begin(), of_cause.end(),
-                                         [](const Finding& f) { return f.cause->confirmed; });
+                                         [](const Finding* f) { return f->cause->confirmed; });
     fmt::format_to(Out(text), "  {}{}, {}: {} ({}{})\n", to_text(stage),
                    round == 0 ? "" : fmt::format(" in round {}", round), rule, of_cause.size(),
                    kinds(of_cause),
