@@ -116,13 +116,20 @@ function drawRing(
   const text = numbers.slice(0, mostNumbers).join(", ") + (numbers.length > mostNumbers ? ", …" : "");
   on.font = "600 12px system-ui, sans-serif";
   on.textAlign = "left";
-  const left = marker.x + radius + 4;
-  const box = { left, top: marker.y - 7, right: left + on.measureText(text).width, bottom: marker.y + 7 };
-  if (taken.some((other) => overlap(box, other))) return;
-  taken.push(box);
+  const width = on.measureText(text).width;
+  const beside: [number, number][] = [
+    [marker.x + radius + 4, marker.y],
+    [marker.x - width / 2, marker.y - radius - 9],
+    [marker.x - width / 2, marker.y + radius + 10],
+    [marker.x - radius - 4 - width, marker.y],
+  ];
+  const boxAt = ([x, y]: [number, number]) => ({ left: x, top: y - 6, right: x + width, bottom: y + 6 });
+  const place = beside.find((at) => !taken.some((other) => overlap(boxAt(at), other)));
+  if (!place) return;
+  taken.push(boxAt(place));
   on.lineWidth = 3.5;
   on.strokeStyle = colours.paper;
   on.lineJoin = "round";
-  on.strokeText(text, left, marker.y);
-  on.fillText(text, left, marker.y);
+  on.strokeText(text, ...place);
+  on.fillText(text, ...place);
 }

@@ -193,9 +193,10 @@ colours.paper,on.textAlign="center";let text=count2<1e3?String(count2):`${Math.r
 length>2?10:11}px system-ui, sans-serif`,on.fillText(text,marker.x,marker.y+.5)}function drawRing(on,marker,taken,colours){
 on.beginPath(),on.arc(marker.x,marker.y,7,0,2*Math.PI),on.stroke();let numbers=marker.findings.map(finding=>finding.number),
 text=numbers.slice(0,mostNumbers).join(", ")+(numbers.length>mostNumbers?", \u2026":"");on.font="600 12px system-ui, san\
-s-serif",on.textAlign="left";let left2=marker.x+7+4,box={left:left2,top:marker.y-7,right:left2+on.measureText(text).width,
-bottom:marker.y+7};taken.some(other=>overlap(box,other))||(taken.push(box),on.lineWidth=3.5,on.strokeStyle=colours.paper,
-on.lineJoin="round",on.strokeText(text,left2,marker.y),on.fillText(text,left2,marker.y))}function faceAt(complex,x,y,size2=1,centres){let boxes=complex.faceBoxes(),found=0;for(let face=1;face<complex.faceCount;++face){
+s-serif",on.textAlign="left";let width=on.measureText(text).width,beside=[[marker.x+7+4,marker.y],[marker.x-width/2,marker.
+y-7-9],[marker.x-width/2,marker.y+7+10],[marker.x-7-4-width,marker.y]],boxAt=([x,y])=>({left:x,top:y-6,right:x+width,bottom:y+
+6}),place=beside.find(at=>!taken.some(other=>overlap(boxAt(at),other)));place&&(taken.push(boxAt(place)),on.lineWidth=3.5,
+on.strokeStyle=colours.paper,on.lineJoin="round",on.strokeText(text,...place),on.fillText(text,...place))}function faceAt(complex,x,y,size2=1,centres){let boxes=complex.faceBoxes(),found=0;for(let face=1;face<complex.faceCount;++face){
 let px=centres&&size2<1?centres[2*face]+(x-centres[2*face])/size2:x,py=centres&&size2<1?centres[2*face+1]+(y-centres[2*face+
 1])/size2:y,i=4*face;if(px<boxes[i]||px>boxes[i+2]||py<boxes[i+1]||py>boxes[i+3])continue;(complex.cells.faceDepth[face]>
 complex.cells.faceDepth[found]||found===0)&&isInside(complex,face,px,py)&&(found=face)}return found}function isInside(complex,face,x,y){
