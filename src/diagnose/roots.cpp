@@ -73,6 +73,16 @@ double Roots::rounded_up() const {
   return result;
 }
 
-double root_rounded_up(const Rational& square) { return Roots({square}).rounded_up(); }
+double root_rounded_up(const Rational& square) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto is_enough = [&](double root) {
+    const Rational value = rational_from(root);
+    return value * value >= square;
+  };
+  double result = nearest_sqrt(square);
+  while (!is_enough(result)) result = std::nextafter(result, kInfinity);
+  while (result > 0 && is_enough(std::nextafter(result, 0.0))) result = std::nextafter(result, 0.0);
+  return result;
+}
 
 }  // namespace plumbline::diagnosing
