@@ -86,6 +86,12 @@ expect "agreement is exit code 0" 0 '^agree' "$plumbline" check "$examples/hospi
 expect "disagreement is exit code 1" 1 '^disagree' "$plumbline" check "$examples/office-plan.svg" -o a.json --picture a.svg
 expect "the drawing's exact counts are shown" 1 'vertices +370 .*edges +475 .*faces +108 ' "$plumbline" check "$examples/office-plan.svg"
 expect "info names overlaps and antennas" 0 '3 pairs of different segments.*100 antennas' "$plumbline" info "$examples/office-plan.svg"
+expect "it shows and plots the tolerance ladder" 0 '0\.087 +357 +462 +108  vertices .*and 249 more steps' "$plumbline" info "$examples/office-plan.svg" --ladder --plot l.svg
+expect "the plot is a picture" 0 'tolerance ladder' grep -o 'tolerance ladder' l.svg
+expect "a plot is an SVG file" 2 'svg.*"l.png"' "$plumbline" info "$examples/office-plan.svg" --plot l.png
+expect "check advises radii" 1 'float LAR is right with every radius tried from .* to 0\.0865672 .*wrong with 0\.087435' "$plumbline" check "$examples/office-plan.svg" --plot l.svg
+expect "unless told not to" 1 'more .see -o report.json.$' "$plumbline" check "$examples/office-plan.svg" --no-advice
+rm -f l.svg
 expect "both engines agree on a drawing" 0 '370 vertices' "$plumbline" arrange "$examples/office-plan.svg" --engine cgal --verify
 expect "an unknown engine is a usage error" 2 'engine' "$plumbline" info "$examples/dwelling.svg" --engine fast
 printf '0,0,4,0\n4,0,4,4\n4,4,0,0\n' >c.lines

@@ -44,14 +44,16 @@ struct LadderOptions {
 ///     order of the feet of the perpendiculars, where these coincide by (x, y);
 ///   - edges whose ends are one vanish; edges with the same two ends are one;
 ///   - faces are counted by Euler's relation, V - E + F = 1 + C with C connected components.
-/// This is LAR's pruning (and what `lar::arrange` does in its first round), of the exact drawing.
-/// It moves nothing: a pipeline that replaces merged vertices by their centroid may change
-/// distances by up to the radius and so merge more, or less; and the graph is an abstract one: a
-/// drawing of it with straight edges need not be planar. **Exact**: doubles propose pairs, exact
-/// distances decide. Order: steps do not depend on how the drawing is moved, turned, mirrored or
-/// scaled, unless feet coincide. Degenerate: a complex with at most one vertex has no steps.
-/// It ends early, and says so by `is_complete`, as the options say, or where more than 2^21 pairs
-/// are as near as makes no difference. Requires: a valid complex. Cost: O(n log n) and some
+/// These are the decisions of the first round of `lar::arrange` on the edges of the complex
+/// (validation/results/ladder.md), but that there a component that has become a point vanishes,
+/// while it stays a vertex here. Run on the drawing, a pipeline may do more: a segment that ends
+/// within the radius beyond another one is cut at its end and no more where they cross; and
+/// vertices that move into the centroid of their cluster come near others. The graph is an abstract
+/// one: a drawing of it with straight edges need not be planar. **Exact**: doubles propose pairs,
+/// exact distances decide. Order: steps do not depend on how the drawing is moved, turned, mirrored
+/// or scaled, unless feet coincide. Degenerate: a complex with at most one vertex has no steps. It
+/// ends early, and says so by `is_complete`, as the options say, or where more than 2^21 pairs are
+/// as near as makes no difference. Requires: a valid complex. Cost: O(n log n) and some
 /// microseconds for each pair within the last radius.
 /// Throws: Error BadInput for a largest radius that is negative or not a number.
 ToleranceLadder tolerance_ladder(const ExactComplex& complex, const LadderOptions& options = {});
