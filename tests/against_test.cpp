@@ -54,9 +54,10 @@ Findings findings(const std::string& name, const char* stage, Numbers numbers) {
     const auto& result = recorded_case["outputs"][stage];
     const char* const faces = result.HasMember("FV_interior") ? "FV_interior" : "FV";
     const SegmentSet input = drawing(recorded_case["lines"], numbers);
-    const Check check =
-        check_against(input, arrange(input), read_lar_result(model_text(result, faces), name),
-                      {{}, 0.001, {}, 1});
+    CheckOptions options;
+    options.tolerance = 0.001;
+    const Check check = check_against(input, arrange(input),
+                                      read_lar_result(model_text(result, faces), name), options);
     Findings list;
     for (const Finding& f : check.crosscheck.findings) {
       if (f.invariant)

@@ -97,6 +97,15 @@ expect "an unknown engine is a usage error" 2 'engine' "$plumbline" info "$examp
 printf '0,0,4,0\n4,0,4,4\n4,4,0,0\n' >c.lines
 : >empty.lines
 echo '1,1,5,1' >flat.lines
+echo 'POLYGON((0 0,4 0,4 4,0 0))' >c.wkt
+expect "a right result of another program agrees" 0 '^agree' "$plumbline" check c.lines --against c.wkt
+echo 'LINESTRING(0 0,4 0,4 4)' >c.wkt
+expect "one without faces is compared by its edges" 1 '^disagree: 1 finding.*no faces.*edge missing' "$plumbline" check c.lines --against c.wkt
+expect "a result has no radius" 2 'radius' "$plumbline" check c.lines --against c.wkt --radius 1
+echo '{"V": [[0,0]], "EV": [[0,1]]}' >c.json
+expect "a malformed result is an error with its place" 2 'c\.json:1:2.*no such vertex' "$plumbline" check c.lines --against c.json
+expect "a drawing is no result" 2 'unknown file name ending of a result.*\.svg' "$plumbline" check c.lines --against "$examples/dwelling.svg"
+rm -f c.wkt c.json
 expect "lines files are drawings" 0 '3 vertices, 3 edges .0 antennas., 2 faces' "$plumbline" arrange c.lines
 expect "the float pipeline runs as repaired" 0 'repaired.*3 vertices, 3 edges .0 antennas., 2 faces' "$plumbline" lar c.lines
 expect "and as published" 0 'published: 4 decimals.*larFromLines 3 vertices, 3 edges, 1 faces' "$plumbline" lar c.lines --variant published --trace t.json

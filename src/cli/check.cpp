@@ -48,7 +48,8 @@ constexpr std::size_t kMostEdgesForAdvice = 20'000;
 Check with_advice(Check result, const CheckArguments& arguments) {
   const bool is_small = result.exact_complex.edge_count() <= kMostEdgesForAdvice;
   // The radii that are tried are those of the repaired variant.
-  const bool wants_radii = !arguments.is_published && arguments.advice.value_or(is_small);
+  const bool wants_radii =
+      !arguments.is_published && !arguments.against && arguments.advice.value_or(is_small);
   if (!wants_radii && !arguments.plot && !arguments.report) return result;
   Progress progress("looking for critical and right radii");
   AdviceOptions options;

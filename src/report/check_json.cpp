@@ -61,6 +61,8 @@ void write_summary(JsonWriter& json, const Check& check) {
   write_counts(json, "doubles", check.conversion.float_counts);
   write_counts(json, "float", c.float_counts);
   json.EndObject();
+  json.Key("compared");
+  json.text(c.compared == Compared::All ? "all" : "graph");
   json.Key("matched");
   json.StartObject();
   json.Key("vertices");

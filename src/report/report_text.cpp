@@ -34,10 +34,15 @@ void append_counts(std::string& text, const Check& check) {
   for (const CountRow& row : count_rows()) {
     std::string name = row.name;
     std::replace(name.begin(), name.end(), '_', ' ');
+    const bool is_of_graph = name == "vertices" || name == "edges" || name == "components";
+    const bool is_known = c.compared == Compared::All || is_of_graph;
     fmt::format_to(Out(text), "{:<18}{:>13}{:>14}{:>12}\n", name, c.exact_counts.*row.member,
-                   check.conversion.float_counts.*row.member, c.float_counts.*row.member);
+                   check.conversion.float_counts.*row.member,
+                   is_known ? std::to_string(c.float_counts.*row.member) : "-");
   }
   fmt::format_to(Out(text), "(faces with the unbounded one, holes of bounded faces)\n");
+  if (c.compared == Compared::Graph)
+    fmt::format_to(Out(text), "the result has no faces: vertices and edges alone are compared\n");
   fmt::format_to(Out(text), "matched one to one: {} vertices, {} edges, {} faces\n",
                  c.matched_vertices, c.matched_edges, c.matched_faces);
 }
