@@ -36,17 +36,21 @@ def segments(plumbline, folder, file):
             for s in listed]
 
 
+def by_kind(listed):
+    kinds = collections.Counter(f"{f['kind']} {f['disagreement']}" for f in listed)
+    return ", ".join(f"{kind} {n}" for kind, n in sorted(kinds.items()))
+
+
 def findings(plumbline, folder, file, result):
-    """Whether the result is valid, and its findings by kind; of a failure its message."""
+    """Findings by kind, those of the result and those of the rounded input; of a failure its message."""
     out = os.path.join(folder, "report.json")
     run = subprocess.run([plumbline, "check", file, "--against", result, "-o", out, "--no-advice"],
                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
     if run.returncode not in (0, 1):
-        return "failed: " + run.stderr.strip()
+        return "failed: " + run.stderr.strip(), ""
     with open(out) as text:
         report = json.load(text)
-    kinds = collections.Counter(f"{f['kind']} {f['disagreement']}" for f in report["findings"])
-    return ", ".join(f"{kind} {n}" for kind, n in sorted(kinds.items())) or "agrees"
+    return by_kind(report["findings"]) or "agrees", by_kind(report["conversion"]) or "none"
 
 
 def main():
@@ -54,7 +58,8 @@ def main():
     failures, agreeing, count = [], 0, 0
     files = sorted(os.path.join(folder, name) for folder, _, names in os.walk(directory)
                    for name in names if name.lower().endswith(ENDINGS))
-    print("| drawing | segments | faces | findings |\n| --- | ---: | ---: | --- |")
+    print("| drawing | segments | faces | findings | of rounding alone |\n"
+          "| --- | ---: | ---: | --- | --- |")
     with tempfile.TemporaryDirectory() as folder:
         for file in files:
             lines = [s for s in segments(plumbline, folder, file) if s[0] != s[1]]
@@ -71,12 +76,13 @@ def main():
                 text.write(shapely.wkt.dumps(whole, rounding_precision=17))
             found = [findings(plumbline, folder, file, path) for path in paths]
             count += 1
+            (found[0], rounding), (found[1], _) = found
             agreeing += found[0] == "agrees"
             name = os.path.relpath(file, directory)
             if found[0] != found[1] or found[0].startswith("failed"):
                 failures.append(f"{name}: GeoJSON {found[0]}; WKT {found[1]}")
             if found[0] != "agrees":
-                print(f"| {name} | {len(lines)} | {len(faces)} | {found[0]} |")
+                print(f"| {name} | {len(lines)} | {len(faces)} | {found[0]} | {rounding} |")
     print(f"\n{agreeing} of {count} drawings agree; the others are listed.")
     for failure in failures:
         print(failure, file=sys.stderr)
