@@ -9,7 +9,7 @@
 namespace plumbline {
 
 /// The verdict for a terminal: counts side by side, then the findings, numbered; `limit` of them.
-std::string report_text(const Check& check, std::size_t limit = 8);
+std::string report_text(const Check& check, std::size_t limit = 4);
 /// The same as JSON, all findings. Documented in docs/json.md.
 std::string report_json(const Check& check);
 /// Two panels of the same drawing, exact and float: faces filled by depth, edges, and every finding

@@ -34,7 +34,7 @@ struct ArrangeArguments : DrawingArguments {
 
 struct CheckArguments : DrawingArguments {
   std::optional<std::string> against;
-  std::size_t listed = 8;  ///< findings printed
+  std::size_t listed = 4;  ///< findings printed
   bool is_published = false;
   std::optional<int> decimals;
   std::optional<PublishedResult> result;

@@ -282,7 +282,7 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
                   "with --against 1e-9 x the drawing's longer side, at least 2^-46 x its largest "
                   "coordinate]")
       ->type_name("T");
-  command.add_option("--list", arguments.listed, "Print at most so many findings [default: 8]")
+  command.add_option("--list", arguments.listed, "Print at most so many findings [default: 4]")
       ->type_name("N");
   command.add_option("-o,--output", arguments.output, "Write all findings to a JSON file")
       ->type_name("FILE");
