@@ -2,12 +2,14 @@
 // the check finds the divergence and names the rule. That the original diverges there is recorded
 // (tests/data); what is right follows from the drawings.
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
+#include "plumbline/read.hpp"
 #include "support/recorded.hpp"
 #include "support/segments.hpp"
 
@@ -117,6 +119,48 @@ TEST_CASE("each rule is found on its minimal input and named") {
     INFO(row.id << ": " << found);
     CHECK(found.find(row.cause) != std::string::npos);
     CHECK(found.find("nobody") == std::string::npos);
+  }
+}
+
+TEST_CASE("what svg2lines would misread is found and named") {
+  const std::string line = "<line fill=\"none\" x1=\"0.5\" y1=\"0.5\" x2=\"4.5\" y2=\"8.5\"/>";
+  const std::vector<std::array<std::string, 3>> rows{
+      {"S1",
+       "<line fill=\"none\" x1=\"0\" y1=\"0\" x2=\"30\" y2=\"10\"/>\n"
+       "<line fill=\"none\" x1=\"20\" y1=\"0\" x2=\"10\" y2=\"10\"/>",
+       "parse integer-division 1; "},
+      {"S2", line + "\n<rect x=\"1\" y=\"2\" width=\"3\" height=\"4\"/>",
+       "parse rect-attribute-order 1; "},
+      {"S3", line + "\n<line x1=\"1\" y1=\"2\" x2=\"3\" y2=\"4\" stroke=\"none\"/>",
+       "parse line-attribute-order 1; "},
+      {"S4", line + "<line fill=\"none\" x1=\"0.5\" y1=\"0.5\" x2=\"4.5\" y2=\"9.5\"/>",
+       "parse one-element-per-line 1; "},
+      {"S5 text lines", line + "\n<line fill=\"none\"\n x1=\"1\" y1=\"2\" x2=\"3\" y2=\"4\"/>",
+       "parse one-line-per-element 1; "},
+      {"S5 transforms", "<g transform=\"scale(2)\">\n" + line + "\n</g>",
+       "parse one-line-per-element 1; "},
+      {"S5 elements", line + "\n<polyline points=\"0,0 1,1\"/>", "parse one-line-per-element 1; "},
+      {"S6",
+       "<line fill=\"none\" x1=\"0.5\" y1=\"0\" x2=\"0.5\" y2=\"9\"/>\n"
+       "<line fill=\"none\" x1=\"0.5\" y1=\"0\" x2=\"0.5\" y2=\"7\"/>",
+       "parse zero-extent 1; "},
+      {"S7", line + "\n<rect x=\"1\" y=\"2\" id=\"a\" width=\"3\" height=\"4\" style=\"\"/>",
+       "parse evaluated-attributes 1; "},
+      {"nothing", line, ""},
+  };
+  for (const auto& [id, elements, cause] : rows) {
+    const std::string svg =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + elements + "\n</svg>\n";
+    SegmentSet input = evaluate(read_svg(svg, "text"));
+    ExactComplex complex = arrange(input);
+    CheckOptions options;
+    options.published = PublishedCheck{};
+    options.published->svg = svg;
+    Check result = check(std::move(input), std::move(complex), options);
+    std::erase_if(result.crosscheck.findings,
+                  [](const Finding& f) { return f.message.find("svg2lines") == f.message.npos; });
+    INFO(id);
+    CHECK(causes(result) == cause);
   }
 }
 

@@ -23,7 +23,7 @@ namespace {
 constexpr double kTolerance = 1e-6;
 
 struct Rule {
-  std::size_t findings = 0, confirmed = 0, files = 0;
+  std::size_t findings = 0, confirmed = 0, healed = 0, files = 0;
   std::string first_file;
 };
 
@@ -70,11 +70,13 @@ void add(const fs::path& file, SegmentSet input, PublishedResult result, Totals&
     Rule& rule = here[{finding.cause->stage, finding.cause->rule}];
     ++rule.findings;
     rule.confirmed += finding.cause->confirmed;
+    rule.healed += finding.cause->remade == false;
   }
   for (const auto& [name, rule] : here) {
     Rule& total = totals.rules[name];
     total.findings += rule.findings;
     total.confirmed += rule.confirmed;
+    total.healed += rule.healed;
     if (total.files++ == 0) total.first_file = file.stem().string();
   }
 }
@@ -82,11 +84,11 @@ void add(const fs::path& file, SegmentSet input, PublishedResult result, Totals&
 void print(const char* title, const Totals& totals) {
   fmt::print("\n## {}\n\n{} inputs, {} of them right; {} findings, {} without a cause.\n\n", title,
              totals.files, totals.agreeing, totals.findings, totals.unattributed);
-  fmt::print("| stage | rule | findings | confirmed | inputs | the first |\n");
-  fmt::print("| --- | --- | --- | --- | --- | --- |\n");
+  fmt::print("| stage | rule | findings | confirmed | healed | inputs | the first |\n");
+  fmt::print("| --- | --- | --- | --- | --- | --- | --- |\n");
   for (const auto& [name, rule] : totals.rules)
-    fmt::print("| {} | {} | {} | {} | {} | {} |\n", to_text(name.first), name.second, rule.findings,
-               rule.confirmed, rule.files, rule.first_file);
+    fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", to_text(name.first), name.second,
+               rule.findings, rule.confirmed, rule.healed, rule.files, rule.first_file);
 }
 
 }  // namespace

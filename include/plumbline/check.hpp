@@ -46,6 +46,9 @@ struct PublishedCheck {
   /// What the pipeline is given for the input's segments, in their order; by default their nearest
   /// doubles. For maps done in floats, as that to the unit square.
   std::optional<std::vector<lar::SegmentD>> lines;
+  /// The SVG text that the input was read from: then what the published svg2lines would misread is
+  /// found, too.
+  std::optional<std::string> svg = std::nullopt;
 };
 
 /// How to check.

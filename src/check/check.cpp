@@ -6,6 +6,7 @@
 #include "check/line_work.hpp"
 #include "check/published_run.hpp"
 #include "check/repaired_run.hpp"
+#include "check/svg_lines.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/lar.hpp"
 
@@ -68,6 +69,9 @@ void compare_published(Check& result, const CheckOptions& options) {
   for (Finding& finding : result.crosscheck.findings) traced.refine(finding);
   for (Finding& failure : traced.failures())
     result.crosscheck.findings.push_back(std::move(failure));
+  if (!options.published->svg) return;
+  for (Finding& misread : checking::svg_to_lines_findings(*options.published->svg, result.input))
+    result.crosscheck.findings.push_back(std::move(misread));
 }
 
 }  // namespace

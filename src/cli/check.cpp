@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
 #include "cli/outputs.hpp"
@@ -12,8 +15,9 @@ namespace {
 std::optional<PublishedCheck> published_check(const CheckArguments& arguments,
                                               const Structure& structure) {
   if (!arguments.is_published) {
-    if (arguments.decimals || arguments.result)
-      throw Error(ErrorCode::BadInput, "--decimals and --result belong to --variant published");
+    if (arguments.decimals || arguments.result || arguments.with_svg2lines)
+      throw Error(ErrorCode::BadInput,
+                  "--decimals, --result and --svg2lines belong to --variant published");
     return std::nullopt;
   }
   PublishedCheck result;
@@ -21,6 +25,12 @@ std::optional<PublishedCheck> published_check(const CheckArguments& arguments,
   result.result = arguments.result.value_or(result.result);
   if (arguments.unit_square)
     result.lines = lar::published::lines_on_unit_square(evaluate(structure), result.decimals);
+  if (arguments.with_svg2lines) {
+    if (!arguments.file.ends_with(".svg"))
+      throw Error(ErrorCode::BadInput, "svg2lines reads .svg files", {arguments.file, 0, 0});
+    std::ifstream file(arguments.file, std::ios::binary);
+    result.svg.emplace(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
   return result;
 }
 

@@ -38,6 +38,7 @@ struct CheckArguments : DrawingArguments {
   bool is_published = false;
   std::optional<int> decimals;
   std::optional<PublishedResult> result;
+  bool with_svg2lines = false;
   std::optional<double> radius;
   std::optional<double> tolerance;
   std::optional<std::string> output;

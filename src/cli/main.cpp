@@ -256,8 +256,13 @@ void add_variant_options(CLI::App& command, CheckArguments& arguments) {
       .add_option("--decimals", arguments.decimals,
                   "Decimals of the published variant's coordinates and parameters [default: 4]")
       ->type_name("N");
-  command.add_flag("--unit-square", arguments.unit_square,
-                   "Map the drawing to the unit square first, y upwards, as published for SVG");
+  CLI::Option* unit_square =
+      command.add_flag("--unit-square", arguments.unit_square,
+                       "Map the drawing to the unit square first, y upwards, as published for SVG");
+  command
+      .add_flag("--svg2lines", arguments.with_svg2lines,
+                "Also find what the published svg2lines would misread of an .svg file")
+      ->excludes(unit_square);
 }
 
 void add_check_options(CLI::App& command, CheckArguments& arguments) {
