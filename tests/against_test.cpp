@@ -8,6 +8,7 @@
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
 #include "support/recorded.hpp"
+#include "support/segments.hpp"
 
 #include <rapidjson/stringbuffer.h>
 #include <rapidjson/writer.h>
@@ -159,4 +160,20 @@ TEST_CASE("against: what the original has right agrees") {
     CHECK(findings(name, "larFromLines").empty());
     CHECK(findings(name, "allComponents").empty());
   }
+}
+
+TEST_CASE("what rounding alone makes is laid to parsing, the rest to the maker of the result") {
+  // (4.3, 0.1) lies on the wall in decimals, 1e-16 above it over doubles; a far wall is left out.
+  const SegmentSet input = segments("4 0 4.9 0.3  4.3 0.1 4.5 2  20 0 21 0");
+  const ForeignResult result = read_lar_result(
+      R"({"V": [[4, 0], [4.9, 0.3], [4.3, 0.1], [4.5, 2]], "EV": [[0, 1], [2, 3]]})", "result");
+  const Check check = check_against(input, arrange(input), result);
+  std::set<std::pair<Stage, std::string>> causes;
+  for (const Finding& finding : check.crosscheck.findings) {
+    REQUIRE(finding.cause);
+    causes.emplace(finding.cause->stage, finding.cause->rule);
+  }
+  CHECK(causes == std::set<std::pair<Stage, std::string>>{{Stage::Parse, "decimal-to-double"},
+                                                          {Stage::Foreign, "edge-missing"},
+                                                          {Stage::Foreign, "vertex-missing"}});
 }

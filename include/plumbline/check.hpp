@@ -72,7 +72,8 @@ Check check(SegmentSet input, ExactComplex exact_complex, const CheckOptions& op
 /// way; of one without faces vertices and edges alone. Its `rejected` items are added to those of
 /// the input, its file to the input's files. Default tolerance: kForeignTolerance times the longer
 /// side of the drawing's box, but at least lar::kLeastRelativeRadius times its largest coordinate.
-/// Every cause is Foreign. Throws: as `crosscheck`.
+/// Causes are Parse or Transform where rounding to doubles alone makes the finding, else Foreign.
+/// Throws: as `crosscheck`.
 Check check_against(SegmentSet input, ExactComplex exact_complex, ForeignResult foreign,
                     const CheckOptions& options = {});
 /// Double arithmetic and 15 written digits leave an error of 1e-15 of a coordinate; crossings at

@@ -2,6 +2,8 @@
 
 #include "check/attribute.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -255,6 +257,15 @@ void Attribution::run_without_owners() {
   }
 }
 
+/// "vertex-merged", "hole-wrong-parent"; of invalid results the broken invariant: "crossing".
+std::string rule_of(const Finding& finding) {
+  std::string rule = finding.invariant
+                         ? to_text(*finding.invariant)
+                         : to_text(finding.kind) + '-' + to_text(finding.disagreement);
+  std::replace(rule.begin(), rule.end(), ' ', '-');
+  return rule;
+}
+
 }  // namespace
 
 void attribute(Crosscheck& result, const ExactComplex& exact_complex,
@@ -271,6 +282,24 @@ void attribute_conversion(Crosscheck& conversion, const Crosscheck* parsed,
   for (Finding& finding : conversion.findings) {
     const bool by_parsing = !wrong || wrong->has(finding);
     finding.cause = by_parsing ? parsing() : transforming();
+  }
+}
+
+void attribute_foreign(Crosscheck& result, const ExactComplex& exact_complex,
+                       const Crosscheck& conversion) {
+  const WrongCells converted(conversion, exact_complex);
+  for (Finding& finding : result.findings) {
+    const bool is_invalid = finding.disagreement == Disagreement::Invalid;
+    if (const Finding* same = is_invalid ? nullptr : converted.same(finding); same && same->cause) {
+      finding.cause = same->cause;
+      continue;
+    }
+    Cause cause;
+    cause.rule = rule_of(finding);
+    cause.explanation = "rounding the drawing to doubles does not make it: its maker did";
+    if (finding.distance && *finding.distance > 0 && !is_invalid)
+      cause.advice = fmt::format("a tolerance or grid below {:.3g} there", *finding.distance);
+    finding.cause = cause;
   }
 }
 

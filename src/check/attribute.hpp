@@ -23,4 +23,10 @@ void attribute(Crosscheck& result, const ExactComplex& exact_complex,
 void attribute_conversion(Crosscheck& conversion, const Crosscheck* parsed,
                           const ExactComplex& exact_complex);
 
+/// Fills in the causes of the cross-check of a result that another program made: those of
+/// `conversion`, its own filled in, where rounding to doubles alone makes the finding; else
+/// Foreign, with the kind of finding as the rule.
+void attribute_foreign(Crosscheck& result, const ExactComplex& exact_complex,
+                       const Crosscheck& conversion);
+
 }  // namespace plumbline::checking

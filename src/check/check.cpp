@@ -110,6 +110,7 @@ Check check_against(SegmentSet input, ExactComplex exact_complex, ForeignResult 
   result.crosscheck = crosscheck(result.exact_complex, foreign.complex, tolerance,
                                  foreign.has_faces ? Compared::All : Compared::Graph);
   compare_conversion(result, options, tolerance);
+  checking::attribute_foreign(result.crosscheck, result.exact_complex, result.conversion);
   add_notes(result.input, foreign);
   return result;
 }
