@@ -46,6 +46,7 @@ Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& oth
 
   append(matching::invalidities(sides, compared));
   result.float_valid = result.findings.empty();
+  if (compared == Compared::All) append(matching::miscoverings(sides, result.findings));
   const matching::VertexMatch vertices = matching::match_vertices(sides, next_number());
   append(vertices.findings);
   const matching::EdgeMatch edges = matching::match_edges(sides, vertices, next_number());

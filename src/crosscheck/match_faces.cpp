@@ -1,10 +1,11 @@
-// Matches faces by their outer boundaries, and the rest by where their interior points lie.
+// Matches faces by their outer boundaries, and the rest by what they cover.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "crosscheck/locate_faces.hpp"
+#include "crosscheck/overlay.hpp"
 #include "crosscheck/steps.hpp"
 #include "plumbline/error.hpp"
 
@@ -16,6 +17,20 @@ using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 /// A cell of the side and one of the other side, the exact one first.
 std::pair<std::size_t, std::size_t> pair_of(Side side, std::size_t here, std::size_t there) {
   return side == Exact ? std::pair(here, there) : std::pair(there, here);
+}
+
+Rational face_area(const ExactComplex& complex, FaceId f) {
+  Rational twice = 0;
+  const auto add = [&](CycleId cycle) {
+    for (const HalfedgeId h : complex.cycles[cycle]) {
+      const Point &p = complex.vertices[complex.origin(h)],
+                  &q = complex.vertices[complex.target(h)];
+      twice += p.x * q.y - q.x * p.y;
+    }
+  };
+  add(complex.face_outer[f]);
+  for (const CycleId hole : complex.face_holes[f]) add(hole);
+  return twice / 2;
 }
 
 class FaceMatcher {
@@ -40,8 +55,11 @@ class FaceMatcher {
     join({{{kUnbounded}, {kUnbounded}}});
     result_.same = 1;
     match_same_boundaries();
+    overlay_rest();
     account_for_groups(boundary_claims());
-    account_for_groups(locations());
+    const Pairs pairs = overlaps_.pairs({open_faces(Exact), open_faces(Float)});
+    locate_open_faces();
+    account_for_groups(pairs);
     return std::move(result_);
   }
 
@@ -49,7 +67,9 @@ class FaceMatcher {
   std::vector<std::size_t> open_faces(Side side) const;
   void match_same_boundaries();
   Pairs boundary_claims() const;
-  Pairs locations();
+  void overlay_rest();
+  void locate_open_faces();
+  Rational area_in_dispute(const Group& group) const;
   void account_for_groups(const Pairs& relation);
   /// Gives the faces of a group their common number, and their match where it is one to one.
   void join(const Group& group);
@@ -71,6 +91,7 @@ class FaceMatcher {
   const bool float_is_valid_;
   Both<std::vector<std::optional<Point>>> inside_;  ///< interior points, where they were asked for
   Both<std::vector<FaceId>> lies_in_;               ///< faces of the other side at these points
+  Overlaps overlaps_{{}};
   FaceMatch result_;
   std::size_t group_count_ = 0;
   bool is_last_step_ = false;
@@ -117,11 +138,15 @@ void FaceMatcher::match_same_boundaries() {
   }
 }
 
-/// Locates an interior point of each face without a group on the other side; pairs of two such
-/// faces.
-Pairs FaceMatcher::locations() {
+/// Overlays the faces that have no counterpart so far. Where one side has none, nothing overlaps.
+void FaceMatcher::overlay_rest() {
+  const Both<std::vector<std::size_t>> faces{open_faces(Exact), open_faces(Float)};
+  if (!faces[Exact].empty() && !faces[Float].empty()) overlaps_ = Overlaps(overlay(sides_, faces));
+}
+
+/// Locates an interior point of each face without a group on the other side.
+void FaceMatcher::locate_open_faces() {
   is_last_step_ = true;
-  Pairs result;
   for (const Side side : kBothSides) {
     std::vector<FaceId> faces;
     std::vector<Point> points;
@@ -137,14 +162,17 @@ Pairs FaceMatcher::locations() {
       points.push_back(*inside_[side][f]);
     }
     const std::vector<FaceId> found = locate_all(sides_[other(side)], points);
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const FaceId f = faces[i], g = found[i];
-      lies_in_[side][f] = g;
-      if (!g.valid() || result_.group[other(side)][g] != kNoGroup) continue;
-      result.push_back(pair_of(side, f, g));
-    }
+    for (std::size_t i = 0; i < faces.size(); ++i) lies_in_[side][faces[i]] = found[i];
   }
-  return result;
+}
+
+/// The area of the symmetric difference; that of a face on its own is by the shoelace formula.
+Rational FaceMatcher::area_in_dispute(const Group& group) const {
+  if (!group[Exact].empty() && !group[Float].empty()) return overlaps_.symmetric_difference(group);
+  Rational area = 0;
+  for (const Side side : kBothSides)
+    for (const std::size_t f : group[side]) area += abs(face_area(sides_[side], FaceId(f)));
+  return area;
 }
 
 /// Joins the groups of the relation and reports them. In the last step also the faces that
@@ -225,6 +253,7 @@ void FaceMatcher::report(const Group& group) {
   finding.segments = joined(segments_of(sides_[Exact], why.edges[Exact]),
                             segments_of(sides_[Float], why.edges[Float]));
   for (const Side side : kBothSides) cells(finding, side) = group[side];
+  finding.area = area_in_dispute(group);
   const Side side = m == 0 || m < n ? Float : Exact;
   const FaceId last(group[side].back());
   finding.where = place_in(side, last);

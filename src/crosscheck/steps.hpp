@@ -16,6 +16,12 @@ using Numbers = std::vector<std::size_t>;
 /// The broken invariants of the float complex, or those of its vertices and edges, as findings.
 std::vector<Finding> invalidities(const Sides& sides, Compared compared);
 
+/// Where the faces of an invalid float complex overlap or leave gaps wider than the tolerance, with
+/// exact areas: Invalid, of the invariant Area. Only where cycles or edges are wrong (the wrong
+/// nesting of sound cycles is named by itself). Names the invalidities that it follows from, which
+/// are numbered from 1. Cost: that of an arrangement of all float edges.
+std::vector<Finding> miscoverings(const Sides& sides, const std::vector<Finding>& invalidities);
+
 struct VertexMatch {
   Both<std::vector<VertexId>> match;  ///< one to one, moved ones too; invalid where there is none
   /// The match, else the nearest vertex of the other side within the tolerance, else invalid.
@@ -65,8 +71,10 @@ struct FaceMatch {
 };
 inline constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
 /// Faces are matched by equal outer boundaries; the rest corresponds by boundaries that differ only
-/// by merged or split cells, and then by where interior points lie. Cost: O(E log E) and for each
-/// of the remaining faces the edges that a horizontal line through its interior point meets.
+/// by merged or split cells, and then by which face of the other side covers most of it, among
+/// those left over (`overlay`). Cost: O(E log E), an arrangement of the boundaries of the faces
+/// left over after the first step, and for each of the last ones the edges that a horizontal line
+/// through its interior point meets.
 FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
                       const CycleMatch& cycles, bool float_is_valid);
 

@@ -19,7 +19,6 @@ std::vector<std::size_t> numbers(const std::vector<Id>& ids) {
 Finding to_finding(const Sides& sides, const Violation& violation) {
   Finding finding;
   finding.disagreement = Disagreement::Invalid;
-  finding.invariant = violation.invariant;
   finding.message = fmt::format("the float result is not a valid complex: {} ({})",
                                 violation.message, to_text(violation.invariant));
   finding.invariant = violation.invariant;

@@ -81,7 +81,9 @@ std::optional<Broken> drop_face(Right& right) {
   parts.drop_cycles(is_dropped);
   return Broken{parts.complex(),
                 0,
-                {broken(Invariant::HalfedgeInCycle), {CellKind::Face, Disagreement::Missing}},
+                {broken(Invariant::HalfedgeInCycle),
+                 broken(Invariant::Area),
+                 {CellKind::Face, Disagreement::Missing}},
                 points_of(right, cycle)};
 }
 
@@ -105,7 +107,7 @@ std::optional<Broken> repeat_face(Right& right) {
   parts.isolated.emplace_back();
   return Broken{parts.complex(),
                 0,
-                {broken(Invariant::HalfedgeInCycle)},
+                {broken(Invariant::HalfedgeInCycle), broken(Invariant::Area)},
                 points_of(right, parts.cycles.back())};
 }
 
@@ -130,7 +132,10 @@ std::optional<Broken> spread_face(Right& right) {
   std::rotate(there.begin(), std::find(there.begin(), there.end(), twin(h)), there.end());
   here.erase(here.begin());
   here.insert(here.end(), there.begin() + 1, there.end());
-  return Broken{parts.complex(), 0, {broken(Invariant::HalfedgeInCycle)}, points_of(right, here)};
+  return Broken{parts.complex(),
+                0,
+                {broken(Invariant::HalfedgeInCycle), broken(Invariant::Area)},
+                points_of(right, here)};
 }
 
 /// A hole in another face.
