@@ -32,8 +32,8 @@ std::vector<Place> places(const Overlaid& overlaid) {
     const FaceId f = c.halfedge_face[halfedge(EdgeId(e), false)];
     const FaceId g = c.halfedge_face[halfedge(EdgeId(e), true)];
     if (overlaid.windings[f] != overlaid.windings[g]) continue;
-    const auto [low, high] = std::minmax(root(f), root(g));
-    parent[high] = low;
+    const std::size_t a = root(f), b = root(g);
+    parent[std::max(a, b)] = std::min(a, b);
   }
   const std::vector<Rational> areas = face_areas(c);
   std::map<std::size_t, Place> by_root;
