@@ -71,6 +71,27 @@ TEST_CASE("with the radius that the advice names there is nothing to find") {
   CHECK(checked("0 0 1 0  1.01 0 2 0", 0.0099).agree());
 }
 
+TEST_CASE("the radius that the advice names is never above the distance") {
+  // The ends are 0.0158699 apart: to three digits that is 0.0159, which would merge them.
+  const Check result = checked("0 0 1 0  1.0158699 0 2 0", 0.1);
+  const Finding& vertex = only(result.crosscheck.findings, CellKind::Vertex);
+  CHECK(vertex.cause->advice == "a radius below 0.0158 keeps them apart");
+  CHECK(checked("0 0 1 0  1.0158699 0 2 0", 0.0158).agree());
+}
+
+TEST_CASE("where two edges were led to one vertex, the advice is of the nearer one") {
+  // Two ceilings 0.01 and 0.02 above the end of a wall, which all meet there, in either order.
+  const char* const orders[] = {"0 1 2 1  1 0 1 0.99  0 1.02 2 1",
+                                "0 1.02 2 1  1 0 1 0.99  0 1 2 1"};
+  const Check first = checked(orders[0], 0.1), second = checked(orders[1], 0.1);
+  REQUIRE(first.crosscheck.findings.size() == second.crosscheck.findings.size());
+  REQUIRE_FALSE(first.agree());
+  for (std::size_t i = 0; i < first.crosscheck.findings.size(); ++i) {
+    CHECK(first.crosscheck.findings[i].cause->advice ==
+          second.crosscheck.findings[i].cause->advice);
+  }
+}
+
 TEST_CASE("a chain of near vertices is told from a pair of them") {
   // Feet of walls 0.9 radii apart become one: 4 of them span 2.7 radii (catalogue, Q1).
   const Check result = checked("0 0 0 9  0.09 0 1 9  0.18 0 2 9  0.27 0 3 9", 0.1);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "check/published_run.hpp"
+#include "check/radius_below.hpp"
 
 namespace plumbline::checking {
 namespace {
@@ -150,7 +151,7 @@ void PublishedRun::explain_merge(const Finding& finding, Cause& cause) const {
           ? fmt::format("merging within {:.3g} made one vertex of {} that are up to {:.3g} apart",
                         radius, cluster->size, extent)
           : fmt::format("vertices within {:.3g} were merged", radius);
-  const std::string advice = fmt::format("a radius below {:.3g} keeps them apart", least);
+  const std::string advice = radius_below(least);
   if (crosses)
     set(cause, "fold-over", merged + ", which led edges across others", advice);
   else if (extent > radius * (1 + kRounding))

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "check/radius_below.hpp"
 #include "plumbline/lar_stages.hpp"
 
 namespace plumbline::checking {
@@ -197,7 +198,7 @@ void RepairedRun::explain_merge(const Finding& finding, Cause& cause) const {
       "merging within the radius {:.3g} made one vertex of {} that are up to {:.3g} apart{}{}",
       trace_.radius, merged->size, extent, extent > trace_.radius ? ", each near the next" : "",
       crosses ? ", which led edges across others" : "");
-  cause.advice = fmt::format("a radius below {:.3g} keeps them apart", merged->least_distance);
+  cause.advice = radius_below(merged->least_distance);
 }
 
 /// The nearest bend of any edge within some radii; none where there is none.
@@ -209,7 +210,8 @@ const RepairedRun::Bend* RepairedRun::bend_near(const PointD& p, std::size_t rou
   for (auto it = std::lower_bound(bends.begin(), bends.end(), p.x - reach,
                                   [](const Bend&b, double x) { return b.point.x < x; });
        it != bends.end() && it->point.x <= p.x + reach; ++it)
-    if (const double away = distance(it->point, p); away <= least) {
+    if (const double away = distance(it->point, p);
+        away < least || (away == least && (!result || it->distance < result->distance))) {
       least = away;
       result = &*it;
     }
@@ -225,7 +227,8 @@ void RepairedRun::explain_meeting(const Finding& finding, Cause& cause) const {
     for (auto it = std::lower_bound(bends.begin(), bends.end(), s,
                                     [](const auto&a, SegmentId id) { return a.first < id; });
          it != bends.end() && it->first == s; ++it)
-      if (const double away = distance(it->second.point, where); away < least) {
+      if (const double away = distance(it->second.point, where);
+          away < least || (away == least && it->second.distance < nearest_bend->distance)) {
         least = away;
         nearest_bend = &it->second;
       }
@@ -235,7 +238,7 @@ void RepairedRun::explain_meeting(const Finding& finding, Cause& cause) const {
     cause.explanation =
         fmt::format("within the radius {:.3g}, an edge was led through a vertex {:.3g} beside it",
                     trace_.radius, nearest_bend->distance);
-    cause.advice = fmt::format("a radius below {:.3g} keeps them apart", nearest_bend->distance);
+    cause.advice = radius_below(nearest_bend->distance);
     return;
   }
   cause.rule = "missed-meeting";
