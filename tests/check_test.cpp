@@ -165,7 +165,7 @@ TEST_CASE("findings, causes and counts do not depend on the order or direction o
 TEST_CASE("every finding of random drawings has a cause with a rule, and a confirmed stage") {
   const std::string family = GENERATE(from_range(random_segments::families()));
   CAPTURE(family);
-  for (unsigned seed = 0; seed < 2; ++seed) {
+  for (unsigned seed = 0; seed < 1; ++seed) {
     SegmentSet input = random_segments::make(family, seed);
     ExactComplex complex = arrange(input);
     const double side = lar::arrange(input).trace.radius / lar::kDefaultRelativeRadius;

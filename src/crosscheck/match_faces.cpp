@@ -69,7 +69,7 @@ class FaceMatcher {
   Pairs boundary_claims() const;
   void overlay_rest();
   void locate_open_faces();
-  Rational area_in_dispute(const Group& group) const;
+  std::optional<Rational> area_in_dispute(const Group& group) const;
   void account_for_groups(const Pairs& relation);
   /// Gives the faces of a group their common number, and their match where it is one to one.
   void join(const Group& group);
@@ -92,6 +92,7 @@ class FaceMatcher {
   Both<std::vector<std::optional<Point>>> inside_;  ///< interior points, where they were asked for
   Both<std::vector<FaceId>> lies_in_;               ///< faces of the other side at these points
   Overlaps overlaps_{{}};
+  bool is_overlaid_ = true;  ///< if not, faces correspond by their boundaries only
   FaceMatch result_;
   std::size_t group_count_ = 0;
   bool is_last_step_ = false;
@@ -141,7 +142,11 @@ void FaceMatcher::match_same_boundaries() {
 /// Overlays the faces that have no counterpart so far. Where one side has none, nothing overlaps.
 void FaceMatcher::overlay_rest() {
   const Both<std::vector<std::size_t>> faces{open_faces(Exact), open_faces(Float)};
-  if (!faces[Exact].empty() && !faces[Float].empty()) overlaps_ = Overlaps(overlay(sides_, faces));
+  if (faces[Exact].empty() || faces[Float].empty()) return;
+  if (auto regions = overlay(sides_, faces))
+    overlaps_ = Overlaps(std::move(*regions));
+  else
+    is_overlaid_ = false;
 }
 
 /// Locates an interior point of each face without a group on the other side.
@@ -167,8 +172,11 @@ void FaceMatcher::locate_open_faces() {
 }
 
 /// The area of the symmetric difference; that of a face on its own is by the shoelace formula.
-Rational FaceMatcher::area_in_dispute(const Group& group) const {
-  if (!group[Exact].empty() && !group[Float].empty()) return overlaps_.symmetric_difference(group);
+std::optional<Rational> FaceMatcher::area_in_dispute(const Group& group) const {
+  if (!group[Exact].empty() && !group[Float].empty()) {
+    if (!is_overlaid_) return std::nullopt;
+    return overlaps_.symmetric_difference(group);
+  }
   Rational area = 0;
   for (const Side side : kBothSides)
     for (const std::size_t f : group[side]) area += abs(face_area(sides_[side], FaceId(f)));

@@ -9,13 +9,14 @@
 
 namespace plumbline::matching {
 
-std::vector<Region> overlay(const Sides& sides, const Both<std::vector<std::size_t>>& faces) {
+std::optional<std::vector<Region>> overlay(const Sides& sides,
+                                           const Both<std::vector<std::size_t>>& faces) {
   std::vector<BoundaryPiece> pieces;
   for (const Side side : kBothSides)
     for (const std::size_t f : faces[side])
       add_boundary(pieces, sides[side], FaceId(f), 2 * f + side);
   const std::optional<Overlaid> overlaid = matching::overlaid(pieces, {});
-  if (!overlaid) return {};
+  if (!overlaid) return std::nullopt;
   const std::vector<Rational> areas = face_areas(overlaid->complex);
   std::vector<Region> regions;
   for (std::size_t i = 0; i < areas.size(); ++i) {

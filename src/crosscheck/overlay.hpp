@@ -11,9 +11,10 @@ struct Region {
 };
 
 /// The parts that bounded faces of the two sides cover. **Exact**: a face covers what its boundary
-/// winds around other than 0 times, so faces of an invalid complex may overlap. Nothing for a
-/// coordinate beyond the limit of `arrange`. Cost: that of an arrangement of their boundaries.
-std::vector<Region> overlay(const Sides& sides, const Both<std::vector<std::size_t>>& faces);
+/// winds around other than 0 times, so faces of an invalid complex may overlap. Nothing where
+/// `overlaid` gives nothing. Cost: that of an arrangement of their boundaries.
+std::optional<std::vector<Region>> overlay(const Sides& sides,
+                                           const Both<std::vector<std::size_t>>& faces);
 
 /// Exact areas by which the faces of the two sides overlap.
 class Overlaps {

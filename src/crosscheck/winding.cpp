@@ -3,6 +3,7 @@
 #include "crosscheck/winding.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "plumbline/arrange.hpp"
 
@@ -23,8 +24,29 @@ Windings summed(Windings windings) {
   return result;
 }
 
+/// Whether most pieces lie in crowds that no bucket can part, which takes time quadratic in them.
+bool is_crowded(const std::vector<BoundaryPiece>& pieces) {
+  constexpr double kTiny = 0x1p-24;  // of the extent
+  double left = 0, right = 0, low = 0, high = 0;
+  std::vector<double> lengths;
+  for (const BoundaryPiece& piece : pieces) {
+    const PointD a = nearest(piece.a), b = nearest(piece.b);
+    if (lengths.empty()) left = right = a.x, low = high = a.y;
+    left = std::min({left, a.x, b.x});
+    right = std::max({right, a.x, b.x});
+    low = std::min({low, a.y, b.y});
+    high = std::max({high, a.y, b.y});
+    lengths.push_back(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)));
+  }
+  const double least = kTiny * std::max(right - left, high - low);
+  const auto tiny =
+      std::count_if(lengths.begin(), lengths.end(), [&](double length) { return length < least; });
+  return static_cast<std::size_t>(tiny) > kMostTinyPieces;
+}
+
 /// The arrangement, edges with the numbers of the pieces on them.
 std::optional<ExactComplex> arranged(const std::vector<BoundaryPiece>& pieces) {
+  if (is_crowded(pieces)) return std::nullopt;
   SegmentSet set;
   std::vector<SegmentId> number;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

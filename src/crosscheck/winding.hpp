@@ -31,8 +31,10 @@ struct Overlaid {
 /// Overlays boundaries, which may cross and overlap each other. **Exact**. Far outside, the
 /// windings are those of `outside`. Degenerate: pieces without length are left out; where the
 /// pieces of a label are no closed curves, its windings depend on the way on which the sums are
-/// made (breadth first, in canonical order). Nothing for coordinates beyond the limit of `arrange`.
-/// Cost: that of `arrange`, and the labels around each face.
+/// made (breadth first, in canonical order). Nothing for coordinates beyond the limit of `arrange`,
+/// and for more than kMostTinyPieces pieces shorter than 2^-24 of the extent, which `arrange` would
+/// compare each with each. Cost: that of `arrange`, and the labels around each face.
+inline constexpr std::size_t kMostTinyPieces = 2000;
 std::optional<Overlaid> overlaid(const std::vector<BoundaryPiece>& pieces, Windings outside);
 
 }  // namespace plumbline::matching
