@@ -111,15 +111,15 @@ struct Crosscheck {
 /// the float result, its doubles taken as exact, a valid complex; and do vertices, edges, faces,
 /// holes and nesting match the exact ones one to one, vertices within `tolerance` (compared
 /// exactly)? They agree just if both answers are yes. **Exact**, but how cells that do not match
-/// are put together in findings is **heuristic** (nearest vertices, common neighbours, chains within
-/// the tolerance, which face covers most of another). A finding that follows from earlier ones names them. Requires: both
-/// in canonical order; the float complex need not be valid. Degenerate: vertices nearer to each
-/// other than the tolerance match by their order of nearness. Order: findings do not depend on
-/// input order beyond SegmentIds. Cost: O(n log n) where the two agree, less than their exact
-/// arrangement; that of `validate` and of an arrangement of the faces that differ where they do not;
-/// a tolerance larger than the drawing's features costs up to some hundred operations a cell.
-/// Throws: Error BadInput for a tolerance that is negative or not finite, or a coordinate that is
-/// not finite.
+/// are put together in findings is **heuristic** (nearest vertices, common neighbours, chains
+/// within the tolerance, which face covers most of another). A finding that follows from earlier
+/// ones names them. Requires: both in canonical order; the float complex need not be valid.
+/// Degenerate: vertices nearer to each other than the tolerance match by their order of nearness.
+/// Order: findings do not depend on input order beyond SegmentIds. Cost: O(n log n) where the two
+/// agree, less than their exact arrangement; that of `validate` and of an arrangement of the faces
+/// that differ where they do not; a tolerance larger than the drawing's features costs up to some
+/// hundred operations a cell. Throws: Error BadInput for a tolerance that is negative or not
+/// finite, or a coordinate that is not finite.
 Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
                       double tolerance);
 /// The same of two exact complexes: the second one takes the place of the float complex. Of Graph,
