@@ -31,8 +31,9 @@ layer(ladder      error number geometry complex arrange)
 layer(diagnose    error number geometry complex arrange)
 layer(check       ${may_crosscheck} ladder result polygons)
 layer(write       ${may_check} diagnose triangulate round)
+layer(certificate error number geometry complex)
 layer(report      ${may_write})
-layer(plumbline   ${may_report} polygons result)                         # the umbrella header
+layer(plumbline   ${may_report} certificate polygons result)                         # the umbrella header
 layer(cli         ${may_plumbline})                      # of these, public headers only
 
 set(found 0)

@@ -4,6 +4,7 @@
 // float pipelines (lar_stages.hpp, published_stages.hpp) are apart.
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/certificate.hpp"
 #include "plumbline/check.hpp"
 #include "plumbline/complex.hpp"
 #include "plumbline/crosscheck.hpp"

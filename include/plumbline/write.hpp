@@ -71,6 +71,11 @@ std::string to_svg(const lar::published::Trace& trace, const LarPicture& options
 /// that round to the coordinates.
 std::string to_lines(std::span<const lar::SegmentD> segments);
 
+/// The segments in their order as rows "x1,y1,x2,y2" and the isolated points as rows "x,y", with
+/// `exact_text`s. **Exact**. `read` takes it as a .lines file (it lists the points as rejected),
+/// plumbline-verify as the input of a certificate.
+std::string to_lines(const SegmentSet& input);
+
 /// Writes a file whole or not at all: to a temporary beside it, then renamed. Throws: Error
 /// BadFile.
 void write_file(const std::filesystem::path& file, std::string_view content);

@@ -4,21 +4,39 @@
 #include "cli/load.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
+#include "plumbline/certificate.hpp"
 
 namespace plumbline::cli {
+namespace {
+
+void write_certificate(const ArrangeArguments& arguments, const Drawing& drawing) {
+  write_file(*arguments.certificate, certificate(drawing.complex, drawing.input));
+  fmt::print("wrote {}\n", *arguments.certificate);
+  // The checker reads nothing but rows of four numbers.
+  const bool is_plain = ending(arguments.file) == ".lines" && drawing.input.rejected.empty();
+  const std::string lines = is_plain ? arguments.file : "segments.lines";
+  fmt::print("to check it: {}plumbline-verify {} {}\n",
+             is_plain ? "" : fmt::format("plumbline eval {} -o {} && ", arguments.file, lines),
+             lines, *arguments.certificate);
+}
+
+}  // namespace
 
 ExitCode run(const ArrangeArguments& arguments) {
-  check_outputs(arguments.file, {{arguments.output, {".json", ".svg"}}});
+  check_outputs(arguments.file,
+                {{arguments.output, {".json", ".svg"}}, {arguments.certificate, {".certificate"}}});
   const Drawing drawing = load(arguments);
   fmt::print("{}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
   fmt::print("{} segments, {} rejected\n{}", drawing.input.segments.size(),
              drawing.input.rejected.size(), rejected_lines(drawing.input));
   fmt::print("{}\nsignature {}\n", exactness_line(drawing.input), signature(drawing.complex));
-  if (!arguments.output) return kAgree;
-  write_file(*arguments.output, ending(*arguments.output) == ".json"
-                                    ? to_json(drawing.complex, drawing.input)
-                                    : to_svg(drawing.complex, drawing.input.y_up));
-  fmt::print("wrote {}\n", *arguments.output);
+  if (arguments.output) {
+    write_file(*arguments.output, ending(*arguments.output) == ".json"
+                                      ? to_json(drawing.complex, drawing.input)
+                                      : to_svg(drawing.complex, drawing.input.y_up));
+    fmt::print("wrote {}\n", *arguments.output);
+  }
+  if (arguments.certificate) write_certificate(arguments, drawing);
   return kAgree;
 }
 

@@ -30,6 +30,7 @@ struct DrawingArguments : InputArguments {
 
 struct ArrangeArguments : DrawingArguments {
   std::optional<std::string> output;
+  std::optional<std::string> certificate;
 };
 
 struct CheckArguments : DrawingArguments {

@@ -99,7 +99,7 @@ SegmentSet drawn(const Structure& structure) {
 }  // namespace
 
 ExitCode run(const EvalArguments& arguments) {
-  check_outputs(arguments.file, {{arguments.output, {".json", ".svg"}}});
+  check_outputs(arguments.file, {{arguments.output, {".json", ".svg", ".lines"}}});
   if (arguments.as_structure && (!arguments.output || ending(*arguments.output) != ".json")) {
     throw Error(ErrorCode::BadInput, "--structure needs -o with a .json file");
   }
@@ -130,6 +130,11 @@ ExitCode run(const EvalArguments& arguments) {
       fmt::print("{} not drawn\n{}", lines.rejected.size(), rejected_lines(lines));
     }
     write_file(*arguments.output, to_svg(lines));
+  } else if (ending(*arguments.output) == ".lines") {
+    const SegmentSet lines = evaluate(structure);
+    fmt::print("{} segments, {} rejected\n{}", lines.segments.size(), lines.rejected.size(),
+               rejected_lines(lines));
+    write_file(*arguments.output, to_lines(lines));
   } else if (arguments.as_structure) {
     std::swap(report.files, structure.files);
     std::swap(report.rejected, structure.rejected);

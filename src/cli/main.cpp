@@ -187,7 +187,8 @@ void add_eval_command(CLI::App& app, EvalArguments& arguments, ExitCode& exit_co
       app.add_subcommand("eval", "Evaluate a hierarchical structure to one LAR model or a picture");
   command->footer(
       "Examples: plumbline eval table.json -o table.svg\n"
-      "          plumbline eval plan.svg --structure -o plan.json\n");
+      "          plumbline eval plan.svg --structure -o plan.json\n"
+      "          plumbline eval plan.svg -o plan.lines\n");
   add_input(*command, arguments, "A structure (.json), or any drawing");
   command
       ->add_option("--decimals", arguments.decimals,
@@ -207,8 +208,10 @@ void add_eval_command(CLI::App& app, EvalArguments& arguments, ExitCode& exit_co
   command->add_flag("--structure", arguments.as_structure,
                     "Write the hierarchy itself to the .json file, not the LAR model");
   command
-      ->add_option("-o,--output", arguments.output,
-                   "Write the LAR model to a .json file or a picture of its lines to an .svg file")
+      ->add_option(
+          "-o,--output", arguments.output,
+          "Write the LAR model to a .json file, its segments to a .lines file or a picture of "
+          "them to an .svg file")
       ->type_name("FILE");
   command->callback([&] { exit_code = run(arguments); });
 }
@@ -326,8 +329,15 @@ ExitCode parse_and_run(int argc, char** argv) {
   ArrangeArguments arrange;
   CLI::App* command =
       add_command(app, arrange, "arrange", "Exact arrangement of a drawing: faces, holes, nesting",
-                  "Example: plumbline arrange plan.svg -o plan.json", exit_code);
+                  "Examples: plumbline arrange plan.svg -o plan.json\n"
+                  "          plumbline arrange plan.lines --certify plan.certificate",
+                  exit_code);
   command->add_option("-o,--output", arrange.output, "Write the complex to a .json or .svg file")
+      ->type_name("FILE");
+  command
+      ->add_option("--certify", arrange.certificate,
+                   "Write the complex, and what plumbline-verify needs to check it, to a "
+                   ".certificate file")
       ->type_name("FILE");
 
   CheckArguments check;

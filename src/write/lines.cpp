@@ -1,5 +1,7 @@
 // LAR's .lines: a row "x1,y1,x2,y2" per segment.
 
+#include <array>
+
 #include "plumbline/write.hpp"
 
 namespace plumbline {
@@ -12,6 +14,17 @@ std::string to_lines(std::span<const lar::SegmentD> segments) {
     }
     rows.back() = '\n';
   }
+  return rows;
+}
+
+std::string to_lines(const SegmentSet& input) {
+  std::string rows;
+  const auto add = [&](std::span<const Number> coordinates) {
+    for (const Number& coordinate : coordinates) rows += exact_text(coordinate.rational()) + ',';
+    rows.back() = '\n';
+  };
+  for (std::size_t s = 0; s < input.segments.size(); ++s) add(input.segments.numbers(s));
+  for (const Point& p : input.points) add(std::array{Number(p.x), Number(p.y)});
   return rows;
 }
 
