@@ -41,8 +41,6 @@ void append_counts(std::string& text, const Check& check) {
                    is_known ? std::to_string(c.float_counts.*row.member) : "-");
   }
   fmt::format_to(Out(text), "(faces with the unbounded one, holes of bounded faces)\n");
-  if (c.compared == Compared::Graph)
-    fmt::format_to(Out(text), "the result has no faces: vertices and edges alone are compared\n");
   fmt::format_to(Out(text), "matched one to one: {} vertices, {} edges, {} faces\n",
                  c.matched_vertices, c.matched_edges, c.matched_faces);
 }

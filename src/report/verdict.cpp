@@ -10,8 +10,10 @@ namespace plumbline {
 
 std::string verdict(const Crosscheck& crosscheck) {
   const std::size_t count = crosscheck.findings.size();
-  if (count == 0) return "agree";
-  return fmt::format("disagree: {} finding{}", count, count == 1 ? "" : "s");
+  std::string text = count == 0 ? "agree" : fmt::format("disagree: {} finding", count);
+  if (count > 1) text += 's';
+  if (crosscheck.compared == Compared::Graph) text += " (vertices and edges alone: no faces)";
+  return text;
 }
 
 const std::vector<CountRow>& count_rows() {

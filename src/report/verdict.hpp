@@ -7,7 +7,7 @@
 
 namespace plumbline {
 
-/// "agree", or "disagree: 3 findings".
+/// "agree", or "disagree: 3 findings"; also where only the graph is compared.
 std::string verdict(const Crosscheck& crosscheck);
 
 /// A row of the table of counts.

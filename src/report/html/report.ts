@@ -84,6 +84,7 @@ export interface ArrayEntry {
 export interface Report {
   verdict: "agree" | "disagree";
   result: string;
+  compared: "all" | "graph";
   float_valid: boolean;
   exact: boolean;
   radius: number | null;

@@ -22,12 +22,15 @@ export function showHead(report: Report, title: HTMLElement, verdict: HTMLElemen
   verdict.textContent = agrees ? "Agree" : `Disagree: ${plural(report.findings.length, "finding")}`;
   verdict.className = agrees ? "agree" : "disagree";
   const parts = [resultTitle(report)];
+  if (report.compared === "graph") parts.push("vertices and edges alone are compared: the result has no faces");
   if (report.radius !== null) parts.push(`radius ${number(report.radius)}`);
   if (report.tolerance !== report.radius) parts.push(`tolerance ${number(report.tolerance)}`);
   if (report.right_radii)
     parts.push(`right for radii from ${number(report.right_radii[0])} to ${number(report.right_radii[1])}`);
   facts.textContent = parts.join(" · ");
 }
+
+const namesOfGraph: CountName[] = ["vertices", "edges", "components"];
 
 const countsOf = (report: Report, name: ComplexName) =>
   report.counts[name === "authored" ? "exact" : name];
@@ -42,7 +45,8 @@ export function showAnswers(drawing: Drawing, table: HTMLTableElement): void {
   for (const name of complexNames)
     head.append(element("th", { scope: "col" }, element("span", { class: `swatch ${name}` }), complexTitle[name]));
   const body = element("tbody");
-  const addRow = (title: string, texts: string[]) => {
+  const addRow = (title: string, texts: string[], isOfGraph = false) => {
+    if (report.compared === "graph" && !isOfGraph) texts[texts.length - 1] = "\u2013";
     const row = element("tr", {}, element("th", { scope: "row" }, title));
     texts.forEach((text, i) =>
       row.append(element("td", { class: i > 0 && text !== texts[0] ? "differs" : "" }, text)),
@@ -52,10 +56,10 @@ export function showAnswers(drawing: Drawing, table: HTMLTableElement): void {
   for (const [name, title] of rows) {
     const values = complexNames.map((complex) => countsOf(report, complex)[name]);
     if (name === "isolated_vertices" && values.every((value) => value === 0)) continue;
-    addRow(title, values.map(count));
+    addRow(title, values.map(count), namesOfGraph.includes(name));
   }
   addRow("area of all faces", complexNames.map((name) => number(totalArea(drawing, name), 7)));
   const conversionValid = report.conversion.every((finding) => finding.disagreement !== "invalid");
-  addRow("valid complex", ["yes", conversionValid ? "yes" : "no", report.float_valid ? "yes" : "no"]);
+  addRow("valid complex", ["yes", conversionValid ? "yes" : "no", report.float_valid ? "yes" : "no"], true);
   table.append(element("thead", {}, head), body);
 }

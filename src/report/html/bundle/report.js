@@ -1759,18 +1759,20 @@ prefers-color-scheme: dark)").addEventListener("change",()=>prepare(print.matche
 onents","components"],["antennas","antennas"],["isolated_vertices","isolated vertices"]];function showHead(report,title,verdict,facts){
 title.textContent=report.files.join(", ")||"drawing";let agrees=report.verdict==="agree";verdict.textContent=agrees?"Agr\
 ee":`Disagree: ${plural(report.findings.length,"finding")}`,verdict.className=agrees?"agree":"disagree";let parts=[resultTitle(
-report)];report.radius!==null&&parts.push(`radius ${number(report.radius)}`),report.tolerance!==report.radius&&parts.push(
-`tolerance ${number(report.tolerance)}`),report.right_radii&&parts.push(`right for radii from ${number(report.right_radii[0])}\
- to ${number(report.right_radii[1])}`),facts.textContent=parts.join(" \xB7 ")}var countsOf=(report,name)=>report.counts[name===
-"authored"?"exact":name];function totalArea(drawing,name){return drawing.complexes[name].area.reduce((sum,area2)=>sum+area2,
-0)}function showAnswers(drawing,table2){let{report}=drawing,head=element("tr",{},element("td"));for(let name of complexNames)
+report)];report.compared==="graph"&&parts.push("vertices and edges alone are compared: the result has no faces"),report.
+radius!==null&&parts.push(`radius ${number(report.radius)}`),report.tolerance!==report.radius&&parts.push(`tolerance ${number(
+report.tolerance)}`),report.right_radii&&parts.push(`right for radii from ${number(report.right_radii[0])} to ${number(report.
+right_radii[1])}`),facts.textContent=parts.join(" \xB7 ")}var namesOfGraph=["vertices","edges","components"],countsOf=(report,name)=>report.
+counts[name==="authored"?"exact":name];function totalArea(drawing,name){return drawing.complexes[name].area.reduce((sum,area2)=>sum+
+area2,0)}function showAnswers(drawing,table2){let{report}=drawing,head=element("tr",{},element("td"));for(let name of complexNames)
 head.append(element("th",{scope:"col"},element("span",{class:`swatch ${name}`}),complexTitle[name]));let body=element("t\
-body"),addRow=(title,texts)=>{let row2=element("tr",{},element("th",{scope:"row"},title));texts.forEach((text,i)=>row2.append(
-element("td",{class:i>0&&text!==texts[0]?"differs":""},text))),body.append(row2)};for(let[name,title]of rows){let values=complexNames.
-map(complex=>countsOf(report,complex)[name]);name==="isolated_vertices"&&values.every(value2=>value2===0)||addRow(title,
-values.map(count))}addRow("area of all faces",complexNames.map(name=>number(totalArea(drawing,name),7)));let conversionValid=report.
+body"),addRow=(title,texts,isOfGraph=!1)=>{report.compared==="graph"&&!isOfGraph&&(texts[texts.length-1]="\u2013");let row2=element(
+"tr",{},element("th",{scope:"row"},title));texts.forEach((text,i)=>row2.append(element("td",{class:i>0&&text!==texts[0]?
+"differs":""},text))),body.append(row2)};for(let[name,title]of rows){let values=complexNames.map(complex=>countsOf(report,
+complex)[name]);name==="isolated_vertices"&&values.every(value2=>value2===0)||addRow(title,values.map(count),namesOfGraph.
+includes(name))}addRow("area of all faces",complexNames.map(name=>number(totalArea(drawing,name),7)));let conversionValid=report.
 conversion.every(finding=>finding.disagreement!=="invalid");addRow("valid complex",["yes",conversionValid?"yes":"no",report.
-float_valid?"yes":"no"]),table2.append(element("thead",{},head),body)}var margin=.06,mostZoom=1e13,leastZoom=.1,keyStep=.15,keyZoom=1.5,flight=650,View=class{constructor(stage,content){this.
+float_valid?"yes":"no"],!0),table2.append(element("thead",{},head),body)}var margin=.06,mostZoom=1e13,leastZoom=.1,keyStep=.15,keyZoom=1.5,flight=650,View=class{constructor(stage,content){this.
 stage=stage;this.content=content;this.listeners=[];this.still=matchMedia("(prefers-reduced-motion: reduce)");this.width=
 1;this.height=1;this.transform=identity4;this.selection=select(stage),this.behavior=zoom2().on("zoom",event=>this.moveTo(
 event.transform,!0)).on("end",event=>this.moveTo(event.transform,!1)),this.selection.call(this.behavior).on("dblclick.zo\
