@@ -1,0 +1,168 @@
+// The commands that arrange a drawing: arrange, info, check.
+
+#include <map>
+
+#include "cli/options.hpp"
+#include "plumbline/error.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+void add_plot(CLI::App& command, std::optional<std::string>& plot) {
+  command
+      .add_option("--plot", plot,
+                  "Plot the numbers of vertices, edges and faces over the radius to an SVG file")
+      ->type_name("FILE");
+}
+
+void add_advice(CLI::App& command, CheckArguments& arguments) {
+  CLI::Option* advice = command.add_flag_callback(
+      "--advice", [&] { arguments.advice = true; },
+      "Look for the radii that float LAR is right with: a dozen more runs [default: for up to "
+      "20,000 edges]");
+  command
+      .add_flag_callback(
+          "--no-advice", [&] { arguments.advice = false; }, "Do not, even for small drawings")
+      ->excludes(advice);
+  add_plot(command, arguments.plot);
+}
+
+void add_variant_options(CLI::App& command, CheckArguments& arguments) {
+  const std::map<std::string, bool> variants{{"published", true}, {"repaired", false}};
+  const std::map<std::string, PublishedResult> results{
+      {"larFromLines", PublishedResult::LarFromLines},
+      {"allComponents", PublishedResult::AllComponents},
+      {"cells", PublishedResult::CellsFromCycles}};
+  command
+      .add_option("--variant", arguments.is_published,
+                  "Of float LAR: repaired (the default) or published, with all its divergences")
+      ->transform(CLI::CheckedTransformer(variants).description(""))
+      ->type_name("VARIANT")
+      ->excludes("--against");
+  command
+      .add_option("--result", arguments.result,
+                  "Of the published variant: larFromLines (the default), allComponents (the faces "
+                  "of all components) or cells (of cycles, with holes)")
+      ->transform(CLI::CheckedTransformer(results).description(""))
+      ->type_name("RESULT");
+  command
+      .add_option("--decimals", arguments.decimals,
+                  "Decimals of the published variant's coordinates and parameters [default: 4]")
+      ->type_name("N");
+  CLI::Option* unit_square =
+      command.add_flag("--unit-square", arguments.unit_square,
+                       "Map the drawing to the unit square first, y upwards, as published for SVG");
+  command
+      .add_flag("--svg2lines", arguments.with_svg2lines,
+                "Also find what the published svg2lines would misread of an .svg file")
+      ->excludes(unit_square);
+}
+
+void add_check_options(CLI::App& command, CheckArguments& arguments) {
+  command
+      .add_option(
+          "--radius", arguments.radius,
+          "Float LAR merges vertices no further apart than this, in drawing units "
+          "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate; "
+          "of the published variant 0.001]")
+      ->type_name("R");
+  command
+      .add_option(
+          "--against", arguments.against,
+          "Check this result, made by another program, and not float LAR's: LAR (V, FV, EV) "
+          "as JSON; polygons and lines as GeoJSON, WKT, WKB, CSV; what arrange -o and lar "
+          "--trace write")
+      ->type_name("FILE")
+      ->excludes("--radius");
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  "Vertices match within this distance, in drawing units [default: the radius; "
+                  "with --against 1e-9 x the drawing's longer side, at least 2^-46 x its largest "
+                  "coordinate]")
+      ->type_name("T");
+  command.add_option("--list", arguments.listed, "Print at most so many findings [default: 4]")
+      ->type_name("N");
+  command.add_option("-o,--output", arguments.output, "Write all findings to a JSON file")
+      ->type_name("FILE");
+  command
+      .add_option("--picture", arguments.picture,
+                  "Draw both results and the findings to an SVG file")
+      ->type_name("FILE");
+  command.add_option("--report", arguments.report, "Write an HTML page with all of it")
+      ->type_name("FILE");
+  command
+      .add_option("--findings", arguments.findings,
+                  "Write the findings as points to a GeoJSON file, for QGIS and OGR")
+      ->type_name("FILE");
+  add_advice(command, arguments);
+  add_variant_options(command, arguments);
+}
+
+}  // namespace
+
+CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("arrange", "Exact arrangement of a drawing: faces, holes, nesting");
+  command->footer(
+      "Examples: plumbline arrange plan.svg -o plan.json\n"
+      "          plumbline arrange plan.lines --certify plan.certificate");
+  add_drawing(*command, arguments);
+  command->add_option("-o,--output", arguments.output, "Write the complex to a .json or .svg file")
+      ->type_name("FILE");
+  command
+      ->add_option("--certify", arguments.certificate,
+                   "Write the complex, and what plumbline-verify needs to check it, to a "
+                   ".certificate file")
+      ->type_name("FILE");
+
+  return command;
+}
+
+CLI::App* add_command(CLI::App& app, InfoArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("info", "What a drawing holds: counts, extent, repetitions, feature size");
+  command->footer(
+      "Examples: plumbline info plan.svg --ladder --plot ladder.svg\n"
+      "          plumbline info plan.svg --diagnose --within 0.5 --picture defects.svg");
+  add_drawing(*command, arguments);
+  command->add_flag("--ladder", arguments.ladder,
+                    "The tolerance ladder: at which radii merging within the radius would give "
+                    "other numbers of vertices, edges or faces");
+  add_plot(*command, arguments.plot);
+  CLI::Option* diagnose = command->add_flag(
+      "--diagnose", arguments.diagnose,
+      "Name the defects of the line work: duplicates, overlaps, gaps, undershoots, overshoots, "
+      "near-misses, dangles, bridges, slivers, short edges, nearly parallel edges");
+  command
+      ->add_option_function<std::string>(
+          "--within",
+          [&](const std::string& distance) {
+            arguments.within = parse_decimal(distance);
+            if (sgn(*arguments.within) >= 0) return;
+            throw Error(ErrorCode::BadInput, "the search distance is negative", {}, distance);
+          },
+          "What is no further away than this is near, in drawing units [default: 0.001 x the "
+          "drawing's longer side]")
+      ->needs(diagnose)
+      ->type_name("DISTANCE");
+  command->add_option("-o,--output", arguments.output, "Write the diagnosis to a JSON file")
+      ->needs(diagnose)
+      ->type_name("FILE");
+  command->add_option("--picture", arguments.picture, "Draw the defects to an SVG file")
+      ->needs(diagnose)
+      ->type_name("FILE");
+  return command;
+}
+
+CLI::App* add_command(CLI::App& app, CheckArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("check", "Hold the float LAR result against the exact one");
+  command->footer(
+      "Examples: plumbline check plan.svg --radius 0.01 -o report.json --picture check.svg\n"
+      "          plumbline check plan.svg --against polygons.geojson");
+  add_drawing(*command, arguments);
+  add_check_options(*command, arguments);
+  return command;
+}
+
+}  // namespace plumbline::cli

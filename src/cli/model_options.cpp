@@ -1,0 +1,120 @@
+// The commands lar, eval and random.
+
+#include <map>
+
+#include "cli/options.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+constexpr const char* kLarExamples =
+    "Examples: plumbline lar plan.svg --variant published --trace plan.json\n"
+    "          plumbline lar plan.svg --show polylines -o polylines.svg\n"
+    "          plumbline lar plan.svg --show boundary --faces 0,3 -o boundary.svg";
+
+}  // namespace
+
+CLI::App* add_command(CLI::App& app, LarArguments& arguments) {
+  const std::map<std::string, bool> variants{{"published", true}, {"repaired", false}};
+  const std::map<std::string, LarShow> pictures{
+      {"buckets", LarShow::Buckets},  {"components", LarShow::Components},
+      {"faces", LarShow::Faces},      {"explode", LarShow::Explode},
+      {"numbers", LarShow::Numbers},  {"pruning", LarShow::Pruning},
+      {"filled", LarShow::Filled},    {"polylines", LarShow::Polylines},
+      {"boundary", LarShow::Boundary}};
+  CLI::App* command =
+      app.add_subcommand("lar", "The float LAR pipeline, stage by stage, as published or repaired");
+  command->footer(kLarExamples);
+  add_input(*command, arguments);
+  command->add_option("--variant", arguments.is_published, "repaired (the default) or published")
+      ->transform(CLI::CheckedTransformer(variants).description(""))
+      ->type_name("VARIANT");
+  command
+      ->add_option("--decimals", arguments.decimals,
+                   "Decimals of the published variant's coordinates and parameters [default: 4]")
+      ->type_name("N");
+  command
+      ->add_option("--radius", arguments.radius,
+                   "Vertices no further apart than this are merged [default: published 0.001, "
+                   "repaired 0.001 x the drawing's longer side]")
+      ->type_name("R");
+  command->add_flag("--unit-square", arguments.unit_square,
+                    "Map the drawing to the unit square first, y upwards, as published for SVG");
+  command->add_option("--trace", arguments.trace, "Write the output of every stage to a JSON file")
+      ->type_name("FILE");
+  command
+      ->add_option("--show", arguments.picture.show,
+                   "What -o draws: buckets, components, faces (the default), explode, numbers, "
+                   "pruning, filled (triangulated faces), polylines (boundaries joined by bridge "
+                   "edges), boundary (of the chain of --faces)")
+      ->transform(CLI::CheckedTransformer(pictures, CLI::ignore_case).description(""))
+      ->type_name("WHAT");
+  command->add_option("--factor", arguments.picture.explode, "Of --show explode [default: 1.2]")
+      ->type_name("F");
+  command
+      ->add_option("--faces", arguments.picture.faces,
+                   "Of --show boundary: faces by the numbers that it shows [default: all]")
+      ->delimiter(',')
+      ->type_name("F,F,...");
+  add_threads(*command, arguments.threads);
+  command->add_option("-o,--output", arguments.output, "Write a picture to an SVG file")
+      ->type_name("FILE");
+  return command;
+}
+
+CLI::App* add_command(CLI::App& app, EvalArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("eval", "Evaluate a hierarchical structure to one LAR model or a picture");
+  command->footer(
+      "Examples: plumbline eval table.json -o table.svg\n"
+      "          plumbline eval plan.svg --structure -o plan.json\n"
+      "          plumbline eval plan.svg -o plan.lines\n");
+  add_input(*command, arguments, "A structure (.json), or any drawing");
+  command
+      ->add_option("--decimals", arguments.decimals,
+                   "Identify vertices that are equal after rounding to N decimals [default: exact]")
+      ->check(CLI::Range(0, Number::kMaxDigits))
+      ->type_name("N");
+  command->add_flag("--merge-cells", arguments.merge_cells, "Keep repeated cells once");
+  command->add_flag("--boundary", arguments.boundary,
+                    "The boundary of all cells: facets that an odd number of them hold");
+  command
+      ->add_option("--embed", arguments.embed, "Add N dimensions (-N: drop the last N coordinates)")
+      ->type_name("N");
+  command
+      ->add_option("--category", arguments.category,
+                   "Only what stands within structures of this category (layer, block, ...)")
+      ->type_name("NAME");
+  command->add_flag("--structure", arguments.as_structure,
+                    "Write the hierarchy itself to the .json file, not the LAR model");
+  command
+      ->add_option(
+          "-o,--output", arguments.output,
+          "Write the LAR model to a .json file, its segments to a .lines file or a picture of "
+          "them to an .svg file")
+      ->type_name("FILE");
+  return command;
+}
+
+CLI::App* add_command(CLI::App& app, RandomArguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "random", "Random segments, the same for the same seed: LAR's randomLines");
+  command->footer(
+      "Example: plumbline random 5000 --scaling 0.1 -o random.lines\n"
+      "Each is the difference of two random points of the unit square, scaled, about a third.");
+  command->add_option("N", arguments.count, "How many")
+      ->required()
+      ->check(CLI::Range(std::size_t{0}, kMostRandomSegments))
+      ->type_name("");
+  command->add_option("--scaling", arguments.scaling, "Of their lengths [default: 0.1]")
+      ->type_name("S");
+  command->add_option("--seed", arguments.seed, "Determines the segments [default: 1]")
+      ->type_name("K");
+  command
+      ->add_option("-o,--output", arguments.output,
+                   "Write them to a .lines file [default: to standard output]")
+      ->type_name("FILE");
+  return command;
+}
+
+}  // namespace plumbline::cli

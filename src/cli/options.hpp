@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.hpp"
+
+namespace plumbline::cli {
+
+/// Each adds a command to the tool, whose options are stored in `arguments`, which must live as
+/// long as `app`.
+CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments);
+CLI::App* add_command(CLI::App& app, CheckArguments& arguments);
+CLI::App* add_command(CLI::App& app, InfoArguments& arguments);
+CLI::App* add_command(CLI::App& app, LarArguments& arguments);
+CLI::App* add_command(CLI::App& app, EvalArguments& arguments);
+CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
+
+/// What several commands have: the drawing and how it is read, within which limits; `file` is what
+/// the help says of it.
+void add_input(CLI::App& command, InputArguments& arguments, const char* file = nullptr);
+/// The same, and how it is arranged.
+void add_drawing(CLI::App& command, DrawingArguments& arguments);
+void add_threads(CLI::App& command, std::size_t& threads);
+
+}  // namespace plumbline::cli
