@@ -35,6 +35,7 @@ layer(certificate error number geometry complex)
 layer(report      ${may_write})
 layer(plumbline   ${may_report} certificate polygons result)                         # the umbrella header
 layer(cli         ${may_plumbline})                      # of these, public headers only
+layer(verify)                                            # nothing of the project, and nobody includes it
 
 set(found 0)
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/include/*.hpp ${ROOT}/src/*.hpp ${ROOT}/src/*.cpp)

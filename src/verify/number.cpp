@@ -1,0 +1,166 @@
+// Numbers: their two texts, their doubles and their order.
+
+#include "number.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace plumbline_verify {
+namespace {
+
+constexpr long kMaxExponent = 200;          // of `near`
+constexpr std::size_t kDigitsOfAWord = 18;  // 10^18 < 2^63
+
+bool all_digits(std::string_view text) {
+  for (const char c : text) {
+    if (c < '0' || c > '9') return false;
+  }
+  return !text.empty();
+}
+
+/// Requires: all_digits.
+mpz_class integer(std::string_view digits) {
+  if (digits.size() > kDigitsOfAWord) return mpz_class(std::string(digits), 10);
+  unsigned long value = 0;
+  for (const char c : digits) value = 10 * value + static_cast<unsigned long>(c - '0');
+  return value;
+}
+
+/// Requires: digits > 0.
+double near_quotient(const mpq_class& value) {
+  long above = 0;
+  long below = 0;
+  const double numerator = leading_part(value.get_num(), above);
+  const double denominator = leading_part(value.get_den(), below);
+  if (numerator == 0) return 0;
+  const long exponent = above - below;
+  if (exponent > kMaxExponent || exponent < -kMaxExponent) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  // Three relative errors, of 2^-52, 2^-52 and 2^-53.
+  return std::ldexp(numerator / denominator, static_cast<int>(exponent));
+}
+
+/// Takes a sign off the text; whether it was a minus.
+bool take_sign(std::string_view& text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  return negative;
+}
+
+/// The exponent that a text denotes, none if it is none or beyond the limit.
+std::optional<long> exponent_of(std::string_view text) {
+  const bool negative = take_sign(text);
+  if (!all_digits(text)) return std::nullopt;
+  long value = 0;
+  for (const char c : text) {
+    value = 10 * value + (c - '0');
+    if (value > static_cast<long>(kMaxInputDigits)) return std::nullopt;
+  }
+  return negative ? -value : value;
+}
+
+/// An integer with an optional sign.
+std::optional<mpz_class> signed_integer(std::string_view text) {
+  const bool negative = take_sign(text);
+  if (!all_digits(text) || text.size() > kMaxInputDigits) return std::nullopt;
+  const mpz_class size = integer(text);
+  return negative ? mpz_class(-size) : size;
+}
+
+mpz_class power_of_ten(unsigned long exponent) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
+  return power;
+}
+
+}  // namespace
+
+Number::Number(mpq_class value) : exact(std::move(value)), near(near_quotient(exact)) {}
+
+double leading_part(const mpz_class& z, long& exponent) {
+  return mpz_get_d_2exp(&exponent, z.get_mpz_t());
+}
+
+std::optional<Number> input_number(std::string_view text) {
+  if (const std::size_t slash = text.find('/'); slash != text.npos) {
+    const std::optional<mpz_class> numerator = signed_integer(text.substr(0, slash));
+    const std::optional<mpz_class> denominator = signed_integer(text.substr(slash + 1));
+    if (!numerator || !denominator || *denominator <= 0) return std::nullopt;
+    mpq_class value(*numerator, *denominator);
+    value.canonicalize();
+    return Number(std::move(value));
+  }
+  const bool negative = take_sign(text);
+  const std::size_t end_of_mantissa = std::min(text.find_first_of("eE"), text.size());
+  long exponent = 0;
+  if (end_of_mantissa < text.size()) {
+    const std::optional<long> written = exponent_of(text.substr(end_of_mantissa + 1));
+    if (!written) return std::nullopt;
+    exponent = *written;
+  }
+  const std::string_view mantissa = text.substr(0, end_of_mantissa);
+  const std::size_t dot = std::min(mantissa.find('.'), mantissa.size());
+  std::string digits(mantissa.substr(0, dot));
+  if (dot < mantissa.size()) {
+    digits += mantissa.substr(dot + 1);
+    exponent -= static_cast<long>(mantissa.size() - dot - 1);
+  }
+  if (!all_digits(digits) || digits.size() > kMaxInputDigits) return std::nullopt;
+  mpq_class value(integer(digits));
+  if (exponent > 0) value *= power_of_ten(static_cast<unsigned long>(exponent));
+  if (exponent < 0) {
+    value.get_den() = power_of_ten(static_cast<unsigned long>(-exponent));
+    value.canonicalize();
+  }
+  return Number(negative ? mpq_class(-value) : std::move(value));
+}
+
+std::optional<Number> canonical_number(std::string_view text) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  std::string_view above = text.substr(0, slash);
+  const bool negative = above.starts_with('-');
+  if (negative) above.remove_prefix(1);
+  const auto is_canonical = [](std::string_view digits) {
+    return all_digits(digits) && digits.size() <= kMaxDigits &&
+           (digits[0] != '0' || digits.size() == 1);
+  };
+  if (!is_canonical(above) || (negative && above == "0")) return std::nullopt;
+  mpq_class value(integer(above));
+  if (slash < text.size()) {
+    const std::string_view below = text.substr(slash + 1);
+    if (!is_canonical(below) || below == "0" || below == "1") return std::nullopt;
+    value.get_den() = integer(below);
+    if (gcd(value.get_num(), value.get_den()) != 1) return std::nullopt;
+  }
+  if (negative) value.get_num() = -value.get_num();
+  return Number(std::move(value));
+}
+
+int compare(const Number& a, const Number& b) {
+  // The errors of both, and of the difference, are below a half of this.
+  const double bound = 0x1p-48 * (std::abs(a.near) + std::abs(b.near));
+  const double difference = a.near - b.near;
+  if (difference > bound) return 1;
+  if (difference < -bound) return -1;
+  if (a.exact == b.exact) return 0;
+  return cmp(a.exact, b.exact) < 0 ? -1 : 1;
+}
+
+int compare(const Point& a, const Point& b) {
+  const int by_x = compare(a.x, b.x);
+  return by_x != 0 ? by_x : compare(a.y, b.y);
+}
+
+std::string text_of(const Point& point) {
+  constexpr std::size_t kShown = 100;
+  const auto shown = [](const mpq_class& value) {
+    std::string text = value.get_str();
+    if (text.size() > kShown) text = text.substr(0, kShown) + "...";
+    return text;
+  };
+  return "(" + shown(point.x.exact) + ", " + shown(point.y.exact) + ")";
+}
+
+}  // namespace plumbline_verify

@@ -1,0 +1,97 @@
+// Step 7: the signature is the hash of the content.
+
+#include <xxhash.h>
+
+#include <array>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "refusal.hpp"
+#include "steps.hpp"
+
+namespace plumbline_verify {
+namespace {
+
+class Hash {
+ public:
+  Hash() : state_(XXH3_createState(), XXH3_freeState) {
+    if (!state_) throw std::bad_alloc();
+    XXH3_128bits_reset(state_.get());
+  }
+
+  Hash& operator<<(std::string_view text) {
+    buffer_ += text;
+    if (buffer_.size() > kEnough) flush();
+    return *this;
+  }
+  Hash& operator<<(Index number) {
+    std::array<char, 10> digits;
+    std::size_t begin = digits.size();
+    do {
+      digits[--begin] = static_cast<char>('0' + number % 10);
+      number /= 10;
+    } while (number > 0);
+    return *this << std::string_view(digits.data() + begin, digits.size() - begin);
+  }
+  Hash& operator<<(const mpq_class& value) {
+    constexpr int kBase = 16;
+    const std::size_t letters =
+        mpz_sizeinbase(value.get_num_mpz_t(), kBase) + mpz_sizeinbase(value.get_den_mpz_t(), kBase);
+    number_.resize(letters + 3);  // for a sign, a slash and the 0 at the end, as GMP asks for
+    return *this << std::string_view(mpq_get_str(number_.data(), kBase, value.get_mpq_t()));
+  }
+
+  /// 32 hexadecimal digits, the most significant first.
+  std::string digits() {
+    flush();
+    XXH128_canonical_t bytes;
+    XXH128_canonicalFromHash(&bytes, XXH3_128bits_digest(state_.get()));
+    std::string text;
+    for (const unsigned char byte : bytes.digest) {
+      text += "0123456789abcdef"[byte / 16];
+      text += "0123456789abcdef"[byte % 16];
+    }
+    return text;
+  }
+
+ private:
+  static constexpr std::size_t kEnough = 1 << 14;
+
+  void flush() {
+    XXH3_128bits_update(state_.get(), buffer_.data(), buffer_.size());
+    buffer_.clear();
+  }
+
+  std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state_;
+  std::string buffer_, number_;
+};
+
+void add_list(Hash& hash, std::string_view name, const Lists& lists, std::size_t list) {
+  hash << name;
+  for (const Index* i = lists.begin(list); i != lists.end(list); ++i) hash << " " << *i;
+  hash << "\n";
+}
+
+}  // namespace
+
+void check_signature(const Certificate& certificate) {
+  Hash hash;
+  hash << "plumbline complex 1\n";
+  for (const Point& p : certificate.vertices) hash << "v " << p.x.exact << " " << p.y.exact << "\n";
+  for (const Edge& e : certificate.edges) hash << "e " << e.tail << " " << e.head << "\n";
+  for (std::size_t c = 0; c < certificate.cycles.size(); ++c) {
+    add_list(hash, "c", certificate.cycles, c);
+  }
+  for (std::size_t f = 0; f < certificate.faces.size(); ++f) {
+    if (f > 0) hash << "o " << certificate.faces[f].outer << "\n";
+    add_list(hash, "h", certificate.holes, f);
+    add_list(hash, "i", certificate.isolated, f);
+  }
+  constexpr std::size_t kSignatureLine = 2;
+  if (const std::string right = hash.digits(); certificate.signature != right) {
+    throw Refusal{"the signature of the content is " + right, kSignatureLine, ""};
+  }
+}
+
+}  // namespace plumbline_verify

@@ -1,0 +1,41 @@
+#pragma once
+
+// The steps of the check, in order. Each requires those before it to have passed; each throws a
+// Refusal where the certificate is wrong.
+
+#include <vector>
+
+#include "certificate.hpp"
+#include "input.hpp"
+
+namespace plumbline_verify {
+
+/// Vertices and edges are strictly ascending, hence pairwise different.
+void check_order(const Certificate& certificate);
+
+/// Every segment is the chain of the edges that name it, and all vertices of these lie on it.
+void check_covering(const Input& input, const Certificate& certificate);
+
+/// Every vertex is there for the first reason that applies; every point of the input is a vertex.
+void check_definers(const Input& input, const Certificate& certificate);
+
+/// What the sweep knows once it has proved that no two edges meet except at common vertices.
+struct Sweep {
+  std::vector<Index> next;     ///< of each halfedge, with the same face on its left
+  std::vector<Index> topmost;  ///< of each vertex the steepest edge to the right, or kNone
+  std::vector<Index> below;    ///< of each vertex without edges to the left the edge next below
+  std::vector<Index> below_inside;  ///< the same of the point inside each face but face 0
+};
+Sweep check_planarity(const Input& input, const Certificate& certificate);
+
+/// The cycles are the orbits of `next`. The result is the cycle of each halfedge.
+std::vector<Index> check_cycles(const Certificate& certificate, const std::vector<Index>& next);
+
+/// Components, faces, their nesting and the points inside, and Euler's relation.
+void check_faces(const Certificate& certificate, const Sweep& sweep,
+                 const std::vector<Index>& cycle_of);
+
+/// The signature is that of the content.
+void check_signature(const Certificate& certificate);
+
+}  // namespace plumbline_verify

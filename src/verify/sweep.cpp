@@ -1,0 +1,213 @@
+// Step 3: a sweep over the vertices in their lexicographic order, which is that of a vertical line
+// leaning to the left by less than anything. Its status are the edges that the line crosses, from
+// the lowest to the highest.
+//
+// Why it is enough to look at vertices. Say that two edges that were in their true order meet,
+// first of all, at q, which is not a common vertex. If q is a vertex, all edges through q are next
+// to each other in the status, which is right up to here, so one that does not end there is found
+// next to q: refused. If it is not, two of them, a below b, are neighbours in the status from then
+// on although b is below a. The next time that something is done to one of them or between them, at
+// a vertex v, either v is found on or between them, which means above a and below b, or v is the
+// head of one of them and the other its neighbour on the side where it is not (they cannot both end
+// there: lines meet once). Refused, and it must happen, since every edge ends.
+//
+// After q the status may be out of order. A search in it then finds an arbitrary place, but it
+// ends, and insertions, which compare with the two neighbours just proved right, go where they are
+// told to.
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "refusal.hpp"
+#include "steps.hpp"
+
+namespace plumbline_verify {
+namespace {
+
+class PlaneSweep {
+ public:
+  PlaneSweep(const Input& input, const Certificate& certificate)
+      : input_(input),
+        certificate_(certificate),
+        status_(Below{*this}),
+        place_(certificate.edges.size()) {
+    result_.next.assign(2 * certificate.edges.size(), kNone);
+    result_.topmost.assign(certificate.vertices.size(), kNone);
+    result_.below.assign(certificate.vertices.size(), kNone);
+    result_.below_inside.assign(certificate.inside.size(), kNone);
+    ending_.assign(certificate.vertices.size(), Ending{});
+    for (Index e = 0; e < certificate.edges.size(); ++e) {
+      Ending& ending = ending_[certificate.edges[e].head];
+      ++ending.count;
+      ending.edge = e;
+    }
+    sort_inside_points();
+  }
+
+  Sweep run() {
+    auto inside = inside_.begin();
+    for (Index v = 0; v < certificate_.vertices.size(); ++v) {
+      for (; inside != inside_.end() && inside->vertex == v; ++inside) locate_inside(*inside);
+      pass(v);
+    }
+    for (; inside != inside_.end(); ++inside) locate_inside(*inside);
+    return std::move(result_);
+  }
+
+ private:
+  /// The order of the status: edges among themselves, and a point between them.
+  struct Below {
+    using is_transparent = void;
+    const PlaneSweep& sweep;
+    bool operator()(Index a, Index b) const { return sweep.is_below(a, b); }
+    bool operator()(Index edge, const Point& p) const { return side(sweep.line(edge), p) > 0; }
+    bool operator()(const Point& p, Index edge) const { return side(sweep.line(edge), p) < 0; }
+  };
+  using Status = std::set<Index, Below>;
+  using Place = Status::const_iterator;
+
+  /// Edges that end at a vertex.
+  struct Ending {
+    Index count = 0;
+    Index edge = kNone;  ///< one of them
+  };
+  /// A point inside a face, to be located before a vertex.
+  struct Inside {
+    Index vertex, item;
+  };
+
+  /// Edges lie on their segments, and point the same way: this was checked before.
+  const Line& line(Index edge) const {
+    return input_.segments[*certificate_.segments.begin(edge)].line;
+  }
+  const Edge& edge(Index e) const { return certificate_.edges[e]; }
+
+  bool is_below(Index a, Index b) const {
+    if (edge(a).tail == edge(b).tail) return turn(line(a), line(b)) > 0;
+    if (edge(a).tail < edge(b).tail) return side(line(a), certificate_.vertices[edge(b).tail]) > 0;
+    return side(line(b), certificate_.vertices[edge(a).tail]) < 0;
+  }
+
+  void sort_inside_points() {
+    const std::vector<Point>& vertices = certificate_.vertices;
+    for (Index item = 0; item < certificate_.inside.size(); ++item) {
+      const Point& p = certificate_.inside[item];
+      const auto found =
+          std::lower_bound(vertices.begin(), vertices.end(), p,
+                           [](const Point& a, const Point& b) { return compare(a, b) < 0; });
+      if (found != vertices.end() && *found == p) refuse_inside(item, "is a vertex");
+      inside_.push_back({static_cast<Index>(found - vertices.begin()), item});
+    }
+    std::sort(inside_.begin(), inside_.end(), [](const Inside& a, const Inside& b) {
+      return std::pair(a.vertex, a.item) < std::pair(b.vertex, b.item);
+    });
+  }
+
+  void locate_inside(const Inside& inside) {
+    const Point& p = certificate_.inside[inside.item];
+    const Place above = status_.lower_bound(p);
+    const bool is_between = (above == status_.end() || side(line(*above), p) < 0) &&
+                            (above == status_.begin() || side(line(*std::prev(above)), p) > 0);
+    if (!is_between)
+      refuse_inside(inside.item, "lies on an edge, or edges cross to the left of it");
+    if (above != status_.begin()) result_.below_inside[inside.item] = *std::prev(above);
+  }
+
+  [[noreturn]] void refuse_inside(Index item, const char* problem) const {
+    throw Refusal{"the point inside face " + std::to_string(item + 1) + " " + problem,
+                  certificate_.face_line + item + 1, text_of(certificate_.inside[item])};
+  }
+
+  void pass(Index v) {
+    around_.clear();
+    const Point& p = certificate_.vertices[v];
+    Place above = ending_[v].count > 0 ? end_edges(v) : status_.lower_bound(p);
+    if (above != status_.end() && side(line(*above), p) >= 0) refuse(v, *above, "below");
+    const bool has_below = above != status_.begin();
+    const Index below = has_below ? *std::prev(above) : kNone;
+    if (has_below && side(line(below), p) <= 0) refuse(v, below, "above");
+    if (ending_[v].count == 0) result_.below[v] = below;
+    start_edges(v, above);
+    turn_around();
+  }
+
+  /// Takes the edges that end at a vertex out of the status, the highest first, and returns the
+  /// place that they leave.
+  Place end_edges(Index v) {
+    Place last = place_[ending_[v].edge];
+    while (std::next(last) != status_.end() && edge(*std::next(last)).head == v) ++last;
+    ++last;
+    for (Index count = 0; count < ending_[v].count; ++count) {
+      if (last == status_.begin() || edge(*std::prev(last)).head != v) {
+        throw Refusal{"another edge passes between those that end at vertex " + std::to_string(v),
+                      certificate_.vertex_line + v, text_of(certificate_.vertices[v])};
+      }
+      const Place ended = std::prev(last);
+      ending_edges_.push_back(*ended);
+      last = status_.erase(ended);
+    }
+    return last;
+  }
+
+  /// Puts the edges that start at a vertex into the status, below a place.
+  void start_edges(Index v, Place above) {
+    for (; next_edge_ < certificate_.edges.size() && edge(next_edge_).tail == v; ++next_edge_) {
+      around_.push_back(next_edge_);
+    }
+    // All point to the right or straight up, so that turns order them.
+    std::sort(around_.begin(), around_.end(),
+              [&](Index a, Index b) { return turn(line(a), line(b)) > 0; });
+    for (std::size_t i = 0; i < around_.size(); ++i) {
+      if (i > 0 && turn(line(around_[i - 1]), line(around_[i])) <= 0) {
+        throw Refusal{"edges " + std::to_string(around_[i - 1]) + " and " +
+                          std::to_string(around_[i]) + " leave vertex " + std::to_string(v) +
+                          " in the same direction",
+                      certificate_.edge_line + around_[i], text_of(certificate_.vertices[v])};
+      }
+      place_[around_[i]] = status_.insert(above, around_[i]);
+    }
+    if (!around_.empty()) result_.topmost[v] = around_.back();
+  }
+
+  /// `around_` has the edges to the right from the lowest to the highest: with those to the left
+  /// from the highest to the lowest they are in counter-clockwise order.
+  void turn_around() {
+    for (Index& e : around_) e = along(e);
+    for (const Index e : ending_edges_) around_.push_back(against(e));
+    ending_edges_.clear();
+    for (std::size_t i = 0; i < around_.size(); ++i) {
+      const Index arriving = around_[i] ^ 1;
+      result_.next[arriving] = around_[(i > 0 ? i : around_.size()) - 1];
+    }
+  }
+
+  [[noreturn]] void refuse(Index v, Index e, const char* where) const {
+    const Point& p = certificate_.vertices[v];
+    const std::string vertex = "vertex " + std::to_string(v);
+    const std::string number = std::to_string(e);
+    throw Refusal{side(line(e), p) == 0 ? vertex + " lies on edge " + number
+                                        : vertex + " is not " + where + " edge " + number +
+                                              ", so that edges cross to the left of it",
+                  certificate_.vertex_line + v, text_of(p)};
+  }
+
+  const Input& input_;
+  const Certificate& certificate_;
+  Status status_;
+  std::vector<Place> place_;  ///< of each edge in the status
+  std::vector<Ending> ending_;
+  std::vector<Inside> inside_;
+  std::vector<Index> around_;        ///< of the vertex at hand: edges, then halfedges
+  std::vector<Index> ending_edges_;  ///< there, from the highest to the lowest
+  Index next_edge_ = 0;
+  Sweep result_;
+};
+
+}  // namespace
+
+Sweep check_planarity(const Input& input, const Certificate& certificate) {
+  return PlaneSweep(input, certificate).run();
+}
+
+}  // namespace plumbline_verify
