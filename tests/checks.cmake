@@ -48,6 +48,14 @@ add_test(NAME "package: an installed copy is found, linked and run"
                  -DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/consumer/run.cmake)
 
+find_program(CLANG clang++)
+if(CLANG)
+  add_test(NAME "determinism: another compiler's tool, unoptimised, writes the same bytes"
+           COMMAND ${scripts}/determinism --short $<TARGET_FILE:plumbline_cli>)
+  set_tests_properties("determinism: another compiler's tool, unoptimised, writes the same bytes"
+                       PROPERTIES TIMEOUT 1200 COST 1000)
+endif()
+
 # The longest start first.
 set_tests_properties("sources: clang-tidy finds nothing"
                      "package: an installed copy is found, linked and run"
