@@ -1,11 +1,20 @@
 #include "draw.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace random_segments {
 
-Draw::Draw(const std::string& family, unsigned seed)
-    : random_(seed), source_(set_.add_source({0, 0, 0, family, std::to_string(seed), ""})) {}
+Draw::Draw(const std::string& family, unsigned seed, Extent extent)
+    : random_(seed),
+      extent_(extent),
+      source_(set_.add_source({0, 0, 0, family, std::to_string(seed), ""})) {}
+
+int Draw::size(int usual, int most, int each) {
+  constexpr int kUsual = 6, kMost = 12;
+  if (extent_ == Extent::Usual) return one_in(16) ? between(usual, most) : between(2, usual);
+  return ((one_in(16) ? between(kUsual, kMost) : between(2, kUsual)) + each - 1) / each;
+}
 
 Point Draw::vector(int reach) {
   Point v{between(-reach, reach), between(-reach, reach)};
@@ -59,9 +68,13 @@ void Draw::add_points(int side) {
 }
 
 void Draw::rotate() {
-  const Rational t(between(1, 40), 41);  // tangent of half the angle
+  const Rational t(between(1, 40), 41);
+  change([&](const Point& p) { return rotated(p, t); });
+}
+
+Point Draw::rotated(const Point& p, const Rational& t) {
   const Rational c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
-  change([&](const Point& p) { return Point{c * p.x - s * p.y, s * p.x + c * p.y}; });
+  return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
 void Draw::renumber() {

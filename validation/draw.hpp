@@ -17,16 +17,20 @@ inline Point operator*(const Rational& factor, const Point& p) {
   return {factor * p.x, factor * p.y};
 }
 
+/// How large inputs are: `Small` ones have some five segments, at most twelve or so.
+enum class Extent { Usual, Small };
+
 /// The input being drawn and the dice.
 class Draw {
  public:
-  Draw(const std::string& family, unsigned seed);
+  Draw(const std::string& family, unsigned seed, Extent extent = Extent::Usual);
 
   int pick(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
   int between(int low, int high) { return low + pick(high - low + 1); }
   bool one_in(int count) { return pick(count) == 0; }
-  /// How many segments: mostly up to `usual`, seldom up to `most`.
-  int size(int usual, int most) { return one_in(16) ? between(usual, most) : between(2, usual); }
+  /// How many things of `each` segments: mostly up to `usual`, seldom up to `most`; in small inputs
+  /// as many as have 6, seldom 12 segments.
+  int size(int usual, int most, int each = 1);
   /// An integer point of a square of `side`.
   Point lattice(int side) { return {pick(side), pick(side)}; }
   /// Integer coordinates of at most `reach`, not both 0.
@@ -58,6 +62,8 @@ class Draw {
   }
   /// Rotates the plane by an angle that has rational sine and cosine, and so keeps lengths.
   void rotate();
+  /// p, turned about the origin by such an angle: the one whose half has tangent t.
+  static Point rotated(const Point& p, const Rational& t);
   /// Leaves integer coordinates as they are, or makes them wide (31 to 60 bits) with ends one unit
   /// off here and there, or other rationals: to reach every kind of number.
   void renumber();
@@ -66,6 +72,7 @@ class Draw {
 
  private:
   std::mt19937 random_;
+  Extent extent_;
   plumbline::SegmentSet set_;
   plumbline::SourceId source_;
 };

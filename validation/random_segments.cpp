@@ -1,8 +1,12 @@
 #include "random_segments.hpp"
 
-#include <map>
+#include <stdexcept>
 
 #include "draw.hpp"
+#include "families/floor_plans.hpp"
+#include "families/near_misses.hpp"
+#include "families/scales_and_turns.hpp"
+#include "families/tangencies.hpp"
 #include "full_places.hpp"
 
 namespace random_segments {
@@ -71,7 +75,7 @@ void mixed_scales(Draw& draw) {
 /// Squares and spokes around one point, from 1e-9 to 1e9.
 void nested_scales(Draw& draw) {
   const Point centre{Rational(draw.pick(3)) / 3, Rational(draw.pick(3)) / 7};
-  for (int n = draw.between(2, 14); n > 0; --n) {
+  for (int n = draw.size(14, 14, 4); n > 0; --n) {
     const Point u = Draw::power_of_ten(draw.between(-9, 9)) * draw.vector(3), v{-u.y, u.x};
     draw.add_ring({centre + u, centre + v, centre - u, centre - v});
     if (draw.one_in(2)) draw.add(centre - 2 * u, centre + draw.pick(3) * v);
@@ -90,7 +94,7 @@ void collinear(Draw& draw) {
 
 void rings(Draw& draw) {
   const int side = draw.between(2, 13);
-  for (int n = draw.size(16, 50); n > 0; --n) {
+  for (int n = draw.size(16, 50, 4); n > 0; --n) {
     const Point p = draw.lattice(side), q = p + Point{draw.between(1, 3), draw.between(1, 3)};
     draw.add_ring({p, {q.x, p.y}, q, {p.x, q.y}});
   }
@@ -101,7 +105,7 @@ void rings(Draw& draw) {
 void touching_rings(Draw& draw) {
   const Rational unit(1, draw.between(1, 3));
   const Point p = unit * draw.lattice(4);
-  for (int n = draw.between(2, 8); n > 0; --n) {
+  for (int n = draw.size(8, 8, 3); n > 0; --n) {
     const Rational size = unit * draw.between(-9, 9);
     const Point u = size * draw.vector(9), v = size * draw.vector(9);
     const Point corner = draw.empty() || draw.one_in(2) ? p : draw.any_point();
@@ -140,7 +144,7 @@ void plan(Draw& draw) {
   const Rational unit = draw.tiny();
   std::vector<Room> rooms{{0, 0, draw.between(3, 30), draw.between(3, 30)}};
   draw.add_ring({{0, 0}, {rooms[0].x1, 0}, {rooms[0].x1, rooms[0].y1}, {0, rooms[0].y1}});
-  for (int n = draw.size(30, 80); n > 0; --n) {
+  for (int n = draw.size(30, 80, 2); n > 0; --n) {
     const auto r = static_cast<std::size_t>(draw.pick(static_cast<int>(rooms.size())));
     const Room room = rooms[r];
     const Rational t = draw.fraction();
@@ -178,10 +182,14 @@ void long_and_short(Draw& draw) {
   draw.add_points(side);
 }
 
-using Make = void (*)(Draw&);
+struct Maker {
+  std::string family;
+  void (*make)(Draw&);
+  bool is_full = false;  ///< a full place: more than a bucket tests pair by pair, never small
+};
 
-const std::vector<std::pair<std::string, Make>>& makers() {
-  static const std::vector<std::pair<std::string, Make>> all = {
+const std::vector<Maker>& makers() {
+  static const std::vector<Maker> all = {
       {"lattice", lattice},
       {"slanted lattice", slanted_lattice},
       {"rotated lattice", rotated_lattice},
@@ -197,14 +205,28 @@ const std::vector<std::pair<std::string, Make>>& makers() {
       {"plan", plan},
       {"rotated plan", rotated_plan},
       {"long and short", long_and_short},
-      {"pencils", pencils},
-      {"near pencils", near_pencils},
-      {"fan", fan},
-      {"hatch", hatch},
-      {"pencil in a bundle", pencil_in_bundle},
-      {"stars on a small lattice", stars_on_lattice},
+      {"near-concurrent fans", near_concurrent_fans},
+      {"near-coincident corners", near_coincident_corners},
+      {"T-junctions on slants", t_junctions_on_slants},
+      {"tangent grids", tangent_grids},
+      {"rings touching at points", rings_touching_at_points},
+      {"floor plan", floor_plan},
+      {"chain of scales", chain_of_scales},
+      {"lattices turned", lattices_turned},
+      {"pencils", pencils, true},
+      {"near pencils", near_pencils, true},
+      {"fan", fan, true},
+      {"hatch", hatch, true},
+      {"pencil in a bundle", pencil_in_bundle, true},
+      {"stars on a small lattice", stars_on_lattice, true},
   };
   return all;
+}
+
+const Maker& maker_of(const std::string& family) {
+  for (const Maker& maker : makers())
+    if (maker.family == family) return maker;
+  throw std::out_of_range("no family of random segments: " + family);
 }
 
 }  // namespace
@@ -212,16 +234,18 @@ const std::vector<std::pair<std::string, Make>>& makers() {
 const std::vector<std::string>& families() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> result;
-    for (const auto& maker : makers()) result.push_back(maker.first);
+    for (const Maker& maker : makers()) result.push_back(maker.family);
     return result;
   }();
   return names;
 }
 
-plumbline::SegmentSet make(const std::string& family, unsigned seed) {
-  static const std::map<std::string, Make> by_name(makers().begin(), makers().end());
-  Draw draw(family, seed);
-  by_name.at(family)(draw);
+bool is_full_place(const std::string& family) { return maker_of(family).is_full; }
+
+plumbline::SegmentSet make(const std::string& family, unsigned seed, Extent extent) {
+  const Maker& maker = maker_of(family);
+  Draw draw(family, seed, extent);
+  maker.make(draw);
   return draw.take();
 }
 

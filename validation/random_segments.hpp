@@ -3,17 +3,21 @@
 #include <string>
 #include <vector>
 
+#include "draw.hpp"
 #include "plumbline/geometry.hpp"
 
-/// Families of small random inputs that hurt an arrangement. Each input is determined by its family
-/// and seed.
+/// Families of small random inputs that hurt an arrangement. Each input is determined by its
+/// family, seed and extent.
 namespace random_segments {
 
 /// Their names: what each is built to hurt.
 const std::vector<std::string>& families();
+/// Whether inputs of a family put more into one place than a bucket tests pair by pair: they are
+/// never small. Throws: std::out_of_range for another name; `make` as well.
+bool is_full_place(const std::string& family);
 
-/// An input of some ten segments, in the families of full places some thirty to 300. Requires: one
-/// of the families; throws std::out_of_range.
-plumbline::SegmentSet make(const std::string& family, unsigned seed);
+/// An input of some ten segments, small ones of some five, in the families of full places some
+/// thirty to 300.
+plumbline::SegmentSet make(const std::string& family, unsigned seed, Extent extent = Extent::Usual);
 
 }  // namespace random_segments

@@ -37,9 +37,10 @@ Arrangement::Arrangement(const SegmentSet& input, const ArrangeOptions& options)
     : implementation_(std::make_unique<Implementation>()) {
   ensure_within_limit(input);
   constexpr std::size_t kMostThreads = 1024;
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t threads =
-      std::min(options.threads == 0 ? cores : options.threads, kMostThreads);
+  // Only where it is needed: asking for the number of cores opens a file.
+  const std::size_t asked =
+      options.threads == 0 ? std::thread::hardware_concurrency() : options.threads;
+  const std::size_t threads = std::clamp(asked, std::size_t{1}, kMostThreads);
   bucket::Job job(threads, options.progress);
   static_cast<bucket::Result&>(*implementation_) =
       on_threads(threads, [&] { return bucket::arrange(input, job); });

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "plumbline/geometry.hpp"
+
+namespace campaign {
+
+using Fails = std::function<bool(const plumbline::SegmentSet&)>;
+
+/// An input that still fails, of which no segment or point can be left out (delta debugging: Zeller
+/// and Hildebrandt, "Simplifying and isolating failure-inducing input", 2002) and whose coordinates
+/// have few digits: none can be replaced, everywhere it occurs, by one of the simpler numbers that
+/// are tried. Requires: the input fails.
+plumbline::SegmentSet minimised(plumbline::SegmentSet input, const Fails& fails);
+
+/// As rows for a regression file: "ax,ay,bx,by" per segment, "x,y" per point, in exact text.
+std::string rows(const plumbline::SegmentSet& input);
+/// The input that such rows are; blank rows and rows that begin with # are none. Throws: Error
+/// BadInput.
+plumbline::SegmentSet from_rows(const std::string& text);
+
+}  // namespace campaign

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "plumbline/complex.hpp"
+
+namespace campaign {
+
+/// What is known of the arrangement of a changed input from that of the input: metamorphic
+/// relations (Chen, Cheung, Yiu, "Metamorphic testing", 1998).
+enum class Relation {
+  Permuted,    ///< segments and points in another order
+  Reversed,    ///< some segments turned round
+  Duplicated,  ///< some segments twice or more, some of these turned round
+  Split,       ///< one segment cut in two: a vertex more at most, at the cut
+  Mapped,      ///< an affine map of the plane, undone on the result
+  TwoCopies,   ///< once more, far away
+  Threads,     ///< on two or three threads
+  Noded,       ///< the edges of the result as input: they are their own arrangement
+};
+inline constexpr std::array kRelations = {
+    Relation::Permuted, Relation::Reversed,  Relation::Duplicated, Relation::Split,
+    Relation::Mapped,   Relation::TwoCopies, Relation::Threads,    Relation::Noded};
+
+std::string to_text(Relation relation);
+
+/// Whether the relation holds between the input and its arrangement, for a choice of segment, map
+/// and so on that the seed determines.
+bool holds(Relation relation, const plumbline::SegmentSet& input,
+           const plumbline::ExactComplex& complex, std::uint64_t seed);
+
+}  // namespace campaign
