@@ -15,6 +15,7 @@
 #include "campaigns/child.hpp"
 #include "campaigns/judge.hpp"
 #include "campaigns/minimise.hpp"
+#include "plumbline/write.hpp"
 
 namespace campaign {
 
@@ -106,7 +107,7 @@ std::string small_rows(const Plan& plan, const Case& one, const std::string& wha
     }
     return false;
   };
-  return rows(minimised(input_of(plan, one), fails));
+  return plumbline::to_lines(minimised(input_of(plan, one), fails));
 }
 
 void print(const Plan& plan, const Failure& failure) {

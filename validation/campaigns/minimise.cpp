@@ -163,15 +163,6 @@ SegmentSet minimised(SegmentSet input, const Fails& fails) {
   return set_of(with_fewer_rows(std::move(all), fails));
 }
 
-std::string rows(const SegmentSet& input) {
-  std::string text;
-  for (const Row& row : rows_of(input)) {
-    for (std::size_t k = 0; k < row.size(); ++k) text += (k == 0 ? "" : ",") + exact_text(row[k]);
-    text += '\n';
-  }
-  return text;
-}
-
 SegmentSet from_rows(const std::string& text) {
   std::istringstream lines(text);
   std::vector<Row> all;

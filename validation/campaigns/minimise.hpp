@@ -15,10 +15,8 @@ using Fails = std::function<bool(const plumbline::SegmentSet&)>;
 /// are tried. Requires: the input fails.
 plumbline::SegmentSet minimised(plumbline::SegmentSet input, const Fails& fails);
 
-/// As rows for a regression file: "ax,ay,bx,by" per segment, "x,y" per point, in exact text.
-std::string rows(const plumbline::SegmentSet& input);
-/// The input that such rows are; blank rows and rows that begin with # are none. Throws: Error
-/// BadInput.
+/// The input that the rows of a .lines file are, "ax,ay,bx,by" per segment and "x,y" per point;
+/// blank rows and rows that begin with # are none. Throws: Error BadInput.
 plumbline::SegmentSet from_rows(const std::string& text);
 
 }  // namespace campaign

@@ -17,12 +17,12 @@ enum class Relation {
   Split,       ///< one segment cut in two: a vertex more at most, at the cut
   Mapped,      ///< an affine map of the plane, undone on the result
   TwoCopies,   ///< once more, far away
-  Threads,     ///< on two or three threads
   Noded,       ///< the edges of the result as input: they are their own arrangement
+  Threads,     ///< on two or three threads
 };
 inline constexpr std::array kRelations = {
     Relation::Permuted, Relation::Reversed,  Relation::Duplicated, Relation::Split,
-    Relation::Mapped,   Relation::TwoCopies, Relation::Threads,    Relation::Noded};
+    Relation::Mapped,   Relation::TwoCopies, Relation::Noded,      Relation::Threads};
 
 std::string to_text(Relation relation);
 
