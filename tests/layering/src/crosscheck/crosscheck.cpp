@@ -5,3 +5,5 @@
 // Allowed.
 #include "arrange/sweep.hpp"
 #include "plumbline/lar.hpp"
+// Found: the independent checker.
+#include "verify/verify.hpp"

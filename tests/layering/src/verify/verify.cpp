@@ -1,0 +1,10 @@
+// Found: anything of the project, anything of CGAL.
+#include <CGAL/Gmpq.h>
+
+#include "number/leading_decimal.hpp"
+#include "plumbline/number.hpp"
+// Allowed.
+#include <gmpxx.h>
+
+#include "line.hpp"
+#include "verify/line.hpp"
