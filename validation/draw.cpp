@@ -11,7 +11,7 @@ Draw::Draw(const std::string& family, unsigned seed, Extent extent)
       source_(set_.add_source({0, 0, 0, family, std::to_string(seed), ""})) {}
 
 int Draw::size(int usual, int most, int each) {
-  constexpr int kUsual = 5, kMost = 12;
+  constexpr int kUsual = 4, kMost = 12;
   if (extent_ == Extent::Usual) return one_in(16) ? between(usual, most) : between(2, usual);
   return ((one_in(16) ? between(kUsual, kMost) : between(2, kUsual)) + each - 1) / each;
 }

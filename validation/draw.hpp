@@ -29,7 +29,7 @@ class Draw {
   int between(int low, int high) { return low + pick(high - low + 1); }
   bool one_in(int count) { return pick(count) == 0; }
   /// How many things of `each` segments: mostly up to `usual`, seldom up to `most`; in small inputs
-  /// as many as have 5, seldom 12 segments.
+  /// as many as have 4, seldom 12 segments.
   int size(int usual, int most, int each = 1);
   /// An integer point of a square of `side`.
   Point lattice(int side) { return {pick(side), pick(side)}; }

@@ -185,7 +185,7 @@ void long_and_short(Draw& draw) {
 struct Maker {
   std::string family;
   void (*make)(Draw&);
-  bool is_full = false;  ///< a full place: more than a bucket tests pair by pair, never small
+  Cost cost = Cost::Cheap;
 };
 
 const std::vector<Maker>& makers() {
@@ -193,32 +193,32 @@ const std::vector<Maker>& makers() {
       {"lattice", lattice},
       {"slanted lattice", slanted_lattice},
       {"rotated lattice", rotated_lattice},
-      {"near corners", near_corners},
+      {"near corners", near_corners, Cost::Dear},
       {"star of thirds", star_of_thirds},
-      {"near concurrent", near_concurrent},
+      {"near concurrent", near_concurrent, Cost::Dear},
       {"mixed scales", mixed_scales},
       {"nested scales", nested_scales},
       {"collinear", collinear},
       {"rings", rings},
-      {"touching rings", touching_rings},
-      {"T-junctions", t_junctions},
-      {"plan", plan},
-      {"rotated plan", rotated_plan},
+      {"touching rings", touching_rings, Cost::Dear},
+      {"T-junctions", t_junctions, Cost::Dear},
+      {"plan", plan, Cost::Dear},
+      {"rotated plan", rotated_plan, Cost::Dear},
       {"long and short", long_and_short},
-      {"near-concurrent fans", near_concurrent_fans},
-      {"near-coincident corners", near_coincident_corners},
-      {"T-junctions on slants", t_junctions_on_slants},
-      {"tangent grids", tangent_grids},
-      {"rings touching at points", rings_touching_at_points},
+      {"near-concurrent fans", near_concurrent_fans, Cost::Dear},
+      {"near-coincident corners", near_coincident_corners, Cost::Dear},
+      {"T-junctions on slants", t_junctions_on_slants, Cost::Dear},
+      {"tangent grids", tangent_grids, Cost::Dear},
+      {"rings touching at points", rings_touching_at_points, Cost::Dear},
       {"floor plan", floor_plan},
       {"chain of scales", chain_of_scales},
       {"lattices turned", lattices_turned},
-      {"pencils", pencils, true},
-      {"near pencils", near_pencils, true},
-      {"fan", fan, true},
-      {"hatch", hatch, true},
-      {"pencil in a bundle", pencil_in_bundle, true},
-      {"stars on a small lattice", stars_on_lattice, true},
+      {"pencils", pencils, Cost::FullPlace},
+      {"near pencils", near_pencils, Cost::FullPlace},
+      {"fan", fan, Cost::FullPlace},
+      {"hatch", hatch, Cost::FullPlace},
+      {"pencil in a bundle", pencil_in_bundle, Cost::FullPlace},
+      {"stars on a small lattice", stars_on_lattice, Cost::FullPlace},
   };
   return all;
 }
@@ -240,7 +240,7 @@ const std::vector<std::string>& families() {
   return names;
 }
 
-bool is_full_place(const std::string& family) { return maker_of(family).is_full; }
+Cost cost(const std::string& family) { return maker_of(family).cost; }
 
 plumbline::SegmentSet make(const std::string& family, unsigned seed, Extent extent) {
   const Maker& maker = maker_of(family);

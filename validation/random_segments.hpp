@@ -12,9 +12,14 @@ namespace random_segments {
 
 /// Their names: what each is built to hurt.
 const std::vector<std::string>& families();
-/// Whether inputs of a family put more into one place than a bucket tests pair by pair: they are
-/// never small. Throws: std::out_of_range for another name; `make` as well.
-bool is_full_place(const std::string& family);
+/// What a small input of a family costs to arrange.
+enum class Cost {
+  Cheap,
+  Dear,       ///< about twice as much: its numbers are long or its segments more
+  FullPlace,  ///< has no small inputs, since it puts more into a place than a bucket tests by pairs
+};
+/// Throws: std::out_of_range for another name; `make` as well.
+Cost cost(const std::string& family);
 
 /// An input of some ten segments, small ones of some five, in the families of full places some
 /// thirty to 300.
