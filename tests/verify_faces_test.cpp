@@ -55,7 +55,7 @@ TEST_CASE("wrong cycles are refused") {
       {"repeat a cycle",
        kTouching,
        {{"cycles 3", "cycles 4"}, {"-1 +2 -5", "-1 +2 -5\n-1 +2 -5"}},
-       "cycle 3 starts with -1, not with one of those that are left: there are none"},
+       "cycle 3 starts with -1, but no halfedge is left"},
       {"turn the wrong way at a crossing",
        kCrossing,
        {{"+0 -1 +1 +3 -3 +2 -2 -0", "+0 +2 -2 +3 -3 -1 +1 -0"}},

@@ -84,7 +84,7 @@ class Reader {
 
   Index parsed(std::string_view text, std::size_t bound, const char* what) const {
     const std::optional<Index> value = index_of(text);
-    if (!value) refuse("the number of a " + std::string(what) + " is not written as one");
+    if (!value) refuse("a field is not the number of some " + std::string(what));
     if (*value >= bound) refuse("there is no " + std::string(what) + " " + std::to_string(*value));
     return *value;
   }

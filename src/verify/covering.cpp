@@ -180,19 +180,21 @@ void check_order(const Certificate& certificate) {
   for (Index v = 1; v < vertices.size(); ++v) {
     const int order = compare(vertices[v - 1], vertices[v]);
     if (order < 0) continue;
+    const std::string before = std::to_string(v - 1);
     throw Refusal{std::string("vertex ") + v +
-                      (order == 0 ? " is where vertex " : " comes before vertex ") + (v - 1) +
-                      " is",
+                      (order == 0 ? " is where vertex " + before + " is"
+                                  : " should come before vertex " + before),
                   certificate.vertex_line + v, text_of(vertices[v])};
   }
   const std::vector<Edge>& edges = certificate.edges;
   for (Index e = 1; e < edges.size(); ++e) {
-    const auto key = [&](Index i) { return std::pair(edges[i].tail, edges[i].head); };
-    if (key(e - 1) < key(e)) continue;
-    throw Refusal{std::string("edge ") + e +
-                      (key(e - 1) == key(e) ? " is edge " : " comes before edge ") + (e - 1) +
-                      " again",
-                  certificate.edge_line + e, text_of(vertices[edges[e].tail])};
+    const auto ends = [&](Index i) { return std::pair(edges[i].tail, edges[i].head); };
+    if (ends(e - 1) < ends(e)) continue;
+    throw Refusal{
+        std::string("edge ") + e +
+            (ends(e - 1) == ends(e) ? " has the ends of edge " : " should come before edge ") +
+            (e - 1),
+        certificate.edge_line + e, text_of(vertices[edges[e].tail])};
   }
 }
 

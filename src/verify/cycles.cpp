@@ -26,9 +26,10 @@ std::vector<Index> check_cycles(const Certificate& certificate, const std::vecto
     const Index* h = cycles.begin(c);
     if (*h != least) {
       refuse(c, *h,
-             "starts with " + halfedge(*h) + ", not with " +
-                 (least < next.size() ? "the least halfedge that is left, " + halfedge(least)
-                                      : "one of those that are left: there are none"));
+             "starts with " + halfedge(*h) +
+                 (least < next.size()
+                      ? ", not with the least halfedge that is left, " + halfedge(least)
+                      : ", but no halfedge is left"));
     }
     for (; h != cycles.end(c); ++h) {
       if (cycle_of[*h] != kNone) refuse(c, *h, "passes " + halfedge(*h) + " again");
