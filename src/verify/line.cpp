@@ -30,11 +30,11 @@ int certain_sign(double sum, double size) {
 }  // namespace
 
 Line line_through(const Point& first, const Point& last) {
-  mpz_class scale = lcm(first.x.exact.get_den(), first.y.exact.get_den());
-  scale = lcm(scale, last.x.exact.get_den());
-  scale = lcm(scale, last.y.exact.get_den());
+  mpz_class scale = lcm(first.x.denominator, first.y.denominator);
+  scale = lcm(scale, last.x.denominator);
+  scale = lcm(scale, last.y.denominator);
   const auto scaled = [&](const Number& number) {
-    return mpz_class(scale / number.exact.get_den() * number.exact.get_num());
+    return mpz_class(scale / number.denominator * number.numerator);
   };
   const mpz_class x = scaled(first.x);
   const mpz_class y = scaled(first.y);
@@ -52,13 +52,12 @@ int side(const Line& line, const Point& point) {
   const double by = line.near_b * point.y.near;
   const double size = std::abs(ax) + std::abs(by) + std::abs(line.near_c);
   if (const int sign = certain_sign(ax + by - line.near_c, size); sign != 0) return sign;
-  const mpq_class& x = point.x.exact;
-  const mpq_class& y = point.y.exact;
-  if (x.get_den() == y.get_den()) {
-    return sgn(mpz_class(line.a * x.get_num() + line.b * y.get_num() - line.c * x.get_den()));
+  const auto& [x, y] = point;
+  if (x.denominator == y.denominator) {
+    return sgn(mpz_class(line.a * x.numerator + line.b * y.numerator - line.c * x.denominator));
   }
-  const mpz_class left = line.a * x.get_num() - line.c * x.get_den();
-  return sgn(mpz_class(left * y.get_den() + line.b * y.get_num() * x.get_den()));
+  const mpz_class left = line.a * x.numerator - line.c * x.denominator;
+  return sgn(mpz_class(left * y.denominator + line.b * y.numerator * x.denominator));
 }
 
 int turn(const Line& a, const Line& b) {

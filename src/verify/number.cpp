@@ -27,12 +27,11 @@ mpz_class integer(std::string_view digits) {
   return value;
 }
 
-/// Requires: digits > 0.
-double near_quotient(const mpq_class& value) {
+double near_quotient(const mpz_class& n, const mpz_class& d) {
   long above = 0;
   long below = 0;
-  const double numerator = leading_part(value.get_num(), above);
-  const double denominator = leading_part(value.get_den(), below);
+  const double numerator = leading_part(n, above);
+  const double denominator = leading_part(d, below);
   if (numerator == 0) return 0;
   const long exponent = above - below;
   if (exponent > kMaxExponent || exponent < -kMaxExponent) {
@@ -69,15 +68,26 @@ std::optional<mpz_class> signed_integer(std::string_view text) {
   return negative ? mpz_class(-size) : size;
 }
 
-mpz_class power_of_ten(unsigned long exponent) {
+/// Requires: exponent >= 0.
+mpz_class power_of_ten(long exponent) {
   mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
   return power;
+}
+
+/// Requires: d > 0.
+Number quotient(mpz_class n, mpz_class d) {
+  const mpz_class divisor = gcd(n, d);
+  if (divisor == 1) return {std::move(n), std::move(d)};
+  return {n / divisor, d / divisor};
 }
 
 }  // namespace
 
-Number::Number(mpq_class value) : exact(std::move(value)), near(near_quotient(exact)) {}
+Number::Number(mpz_class lowest_numerator, mpz_class lowest_denominator)
+    : numerator(std::move(lowest_numerator)),
+      denominator(std::move(lowest_denominator)),
+      near(near_quotient(numerator, denominator)) {}
 
 double leading_part(const mpz_class& z, long& exponent) {
   return mpz_get_d_2exp(&exponent, z.get_mpz_t());
@@ -85,12 +95,10 @@ double leading_part(const mpz_class& z, long& exponent) {
 
 std::optional<Number> input_number(std::string_view text) {
   if (const std::size_t slash = text.find('/'); slash != text.npos) {
-    const std::optional<mpz_class> numerator = signed_integer(text.substr(0, slash));
-    const std::optional<mpz_class> denominator = signed_integer(text.substr(slash + 1));
+    std::optional<mpz_class> numerator = signed_integer(text.substr(0, slash));
+    std::optional<mpz_class> denominator = signed_integer(text.substr(slash + 1));
     if (!numerator || !denominator || *denominator <= 0) return std::nullopt;
-    mpq_class value(*numerator, *denominator);
-    value.canonicalize();
-    return Number(std::move(value));
+    return quotient(*std::move(numerator), *std::move(denominator));
   }
   const bool negative = take_sign(text);
   const std::size_t end_of_mantissa = std::min(text.find_first_of("eE"), text.size());
@@ -108,34 +116,33 @@ std::optional<Number> input_number(std::string_view text) {
     exponent -= static_cast<long>(mantissa.size() - dot - 1);
   }
   if (!all_digits(digits) || digits.size() > kMaxInputDigits) return std::nullopt;
-  mpq_class value(integer(digits));
-  if (exponent > 0) value *= power_of_ten(static_cast<unsigned long>(exponent));
-  if (exponent < 0) {
-    value.get_den() = power_of_ten(static_cast<unsigned long>(-exponent));
-    value.canonicalize();
-  }
-  return Number(negative ? mpq_class(-value) : std::move(value));
+  mpz_class value = integer(digits);
+  if (negative) value = -value;
+  if (exponent < 0) return quotient(std::move(value), power_of_ten(-exponent));
+  if (exponent > 0) value *= power_of_ten(exponent);
+  return Number(std::move(value), 1);
 }
 
 std::optional<Number> canonical_number(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
   const std::size_t slash = std::min(text.find('/'), text.size());
-  std::string_view above = text.substr(0, slash);
-  const bool negative = above.starts_with('-');
-  if (negative) above.remove_prefix(1);
+  const std::string_view above = text.substr(0, slash);
   const auto is_canonical = [](std::string_view digits) {
     return all_digits(digits) && digits.size() <= kMaxDigits &&
            (digits[0] != '0' || digits.size() == 1);
   };
   if (!is_canonical(above) || (negative && above == "0")) return std::nullopt;
-  mpq_class value(integer(above));
+  mpz_class numerator = integer(above);
+  mpz_class denominator = 1;
   if (slash < text.size()) {
     const std::string_view below = text.substr(slash + 1);
     if (!is_canonical(below) || below == "0" || below == "1") return std::nullopt;
-    value.get_den() = integer(below);
-    if (gcd(value.get_num(), value.get_den()) != 1) return std::nullopt;
+    denominator = integer(below);
+    if (gcd(numerator, denominator) != 1) return std::nullopt;
   }
-  if (negative) value.get_num() = -value.get_num();
-  return Number(std::move(value));
+  if (negative) numerator = -numerator;
+  return Number(std::move(numerator), std::move(denominator));
 }
 
 int compare(const Number& a, const Number& b) {
@@ -144,8 +151,8 @@ int compare(const Number& a, const Number& b) {
   const double difference = a.near - b.near;
   if (difference > bound) return 1;
   if (difference < -bound) return -1;
-  if (a.exact == b.exact) return 0;
-  return cmp(a.exact, b.exact) < 0 ? -1 : 1;
+  if (a == b) return 0;
+  return sgn(mpz_class(a.numerator * b.denominator - b.numerator * a.denominator));
 }
 
 int compare(const Point& a, const Point& b) {
@@ -155,12 +162,12 @@ int compare(const Point& a, const Point& b) {
 
 std::string text_of(const Point& point) {
   constexpr std::size_t kShown = 100;
-  const auto shown = [](const mpq_class& value) {
-    std::string text = value.get_str();
+  const auto shown = [](const Number& number) {
+    std::string text = mpq_class(number.numerator, number.denominator).get_str();
     if (text.size() > kShown) text = text.substr(0, kShown) + "...";
     return text;
   };
-  return "(" + shown(point.x.exact) + ", " + shown(point.y.exact) + ")";
+  return "(" + shown(point.x) + ", " + shown(point.y) + ")";
 }
 
 }  // namespace plumbline_verify

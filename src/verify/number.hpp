@@ -13,18 +13,27 @@ inline constexpr std::size_t kMaxInputDigits = 10'000;
 /// Longest integer in a certificate: a crossing of segments with the longest coordinates has less.
 inline constexpr std::size_t kMaxDigits = 1'000'000;
 
-/// An exact number, and where it is about: |near - exact| <= 2^-50 |near|, or NaN if its size is
-/// beyond 2^200 or below 2^-200 (so that no product of a few of them leaves the range of doubles).
+/// An exact number in lowest terms, and where it is about: |near - it| <= 2^-50 |near|, or NaN if
+/// its size is beyond 2^200 or below 2^-200 (so that no product of a few of them leaves the range
+/// of doubles). Equal numbers have the same `near`.
 struct Number {
-  mpq_class exact;  ///< in lowest terms
+  mpz_class numerator, denominator;  ///< denominator > 0
   double near = 0;
 
   Number() = default;
-  explicit Number(mpq_class value);
+  /// Requires: lowest terms, denominator > 0.
+  Number(mpz_class lowest_numerator, mpz_class lowest_denominator);
+
+  friend bool operator==(const Number& a, const Number& b) {
+    return !(a.near < b.near || a.near > b.near) && a.numerator == b.numerator &&
+           a.denominator == b.denominator;
+  }
 };
 
 struct Point {
   Number x, y;
+
+  bool operator==(const Point&) const = default;
 };
 
 /// The number that a text of an input denotes: `[+-] (digits [. [digits]] | . digits) [(e|E) [+-]
@@ -40,10 +49,6 @@ int compare(const Number& a, const Number& b);
 
 /// The lexicographic order by (x, y). **Exact**.
 int compare(const Point& a, const Point& b);
-
-inline bool operator==(const Point& a, const Point& b) {
-  return a.x.exact == b.x.exact && a.y.exact == b.y.exact;
-}
 
 /// "(1/2, 1/3)", numbers of more than a hundred letters cut short.
 std::string text_of(const Point& point);

@@ -34,12 +34,15 @@ class Hash {
     } while (number > 0);
     return *this << std::string_view(digits.data() + begin, digits.size() - begin);
   }
-  Hash& operator<<(const mpq_class& value) {
+  Hash& operator<<(const Number& value) {
+    *this << value.numerator;
+    return value.denominator == 1 ? *this : *this << "/" << value.denominator;
+  }
+  Hash& operator<<(const mpz_class& value) {
     constexpr int kBase = 16;
-    const std::size_t letters =
-        mpz_sizeinbase(value.get_num_mpz_t(), kBase) + mpz_sizeinbase(value.get_den_mpz_t(), kBase);
-    number_.resize(letters + 3);  // for a sign, a slash and the 0 at the end, as GMP asks for
-    return *this << std::string_view(mpq_get_str(number_.data(), kBase, value.get_mpq_t()));
+    const std::size_t room_for_sign_and_end = 2;
+    number_.resize(mpz_sizeinbase(value.get_mpz_t(), kBase) + room_for_sign_and_end);
+    return *this << std::string_view(mpz_get_str(number_.data(), kBase, value.get_mpz_t()));
   }
 
   /// 32 hexadecimal digits, the most significant first.
@@ -78,7 +81,7 @@ void add_list(Hash& hash, std::string_view name, const Lists& lists, std::size_t
 void check_signature(const Certificate& certificate) {
   Hash hash;
   hash << "plumbline complex 1\n";
-  for (const Point& p : certificate.vertices) hash << "v " << p.x.exact << " " << p.y.exact << "\n";
+  for (const Point& p : certificate.vertices) hash << "v " << p.x << " " << p.y << "\n";
   for (const Edge& e : certificate.edges) hash << "e " << e.tail << " " << e.head << "\n";
   for (std::size_t c = 0; c < certificate.cycles.size(); ++c) {
     add_list(hash, "c", certificate.cycles, c);
