@@ -14,8 +14,6 @@
 namespace plumbline::checking {
 namespace {
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
 /// Broken invariants that say that edges meet where they should not; of edges or vertices alone.
 bool is_about_line_work(const Finding& finding) {
   if (!finding.invariant) return false;

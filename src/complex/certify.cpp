@@ -29,7 +29,6 @@ namespace intrusive = boost::intrusive;
 /// An edge that the line may meet. Ordered by where it was put, never by comparing.
 struct Met : intrusive::set_base_hook<intrusive::optimize_size<true>> {
   EdgeId edge;
-  friend bool operator<(const Met&, const Met&) { return false; }
 };
 using Status = intrusive::set<Met, intrusive::constant_time_size<false>>;
 
