@@ -40,7 +40,7 @@ expect "no file is a usage error" 2 '^usage: plumbline-verify INPUT CERTIFICATE'
 expect "one file is a usage error" 2 '^usage: ' "$verify" crossing.lines
 expect "three files are a usage error" 2 '^usage: ' "$verify" crossing.lines crossing.certificate more
 expect "an unknown option is a usage error" 2 '^usage: ' "$verify" --fast crossing.lines
-expect "a certificate of something else is refused with its line" 1 '^nested.certificate: refused: line 5: there is no segment 2' \
+expect "a certificate of something else is refused with its line" 1 '^nested.certificate: refused: line 17: there is no segment 3' \
   "$verify" crossing.lines nested.certificate
 expect "a missing file is told by name" 2 'none.lines: No such file' "$verify" none.lines crossing.certificate
 expect "a missing certificate is told by name" 2 'none.certificate: No such file' "$verify" crossing.lines none.certificate

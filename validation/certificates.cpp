@@ -191,16 +191,15 @@ class Campaign {
   }
 
   static std::string without_numbers(const std::string& reason) {
-    constexpr std::string_view kSignature = "the signature of the content";
-    if (reason.starts_with(kSignature)) return std::string(kSignature) + " is another";
     std::string text;
-    for (const char c : reason) {
+    const std::size_t quoted = reason.find(" is \"");
+    for (const char c : reason.substr(0, quoted)) {
       const bool digit = c >= '0' && c <= '9';
       if (digit && (text.ends_with('+') || text.ends_with('-'))) text.pop_back();
       if (!digit) text += c;
       if (digit && !text.ends_with('N')) text += 'N';
     }
-    return text;
+    return quoted == reason.npos ? text : text + " is another";
   }
 
   void show(const std::string& name, const std::string& what) {

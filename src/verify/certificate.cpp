@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "refusal.hpp"
@@ -35,14 +34,14 @@ class Reader {
     next_line();
     if (line_ != "plumbline certificate 1") refuse("it does not start with its title");
     next_line();
-    word("signature");
-    certificate_.signature = field();
-    end_of_line();
+    if (field() != "signature") refuse("\"signature\" is missing");
+    certificate_.signature = line_;
     vertices();
     edges();
-    cycles();
-    faces();
-    components();
+    lines("cycles", certificate_.cycle_line, certificate_.cycles);
+    lines("faces", certificate_.face_line, certificate_.faces);
+    inside();
+    lines("components", certificate_.component_line, certificate_.components);
     next_line();
     if (line_ != "end") refuse("it does not have the line \"end\" here");
     if (!text_.empty()) refuse("something follows its end");
@@ -60,37 +59,25 @@ class Reader {
     if (length == text_.npos) refuse("it ends before its end");
     line_ = text_.substr(0, length);
     text_.remove_prefix(length + 1);
-    at_end_of_line_ = false;
   }
 
-  /// Up to the next space, or the end of the line.
+  /// Takes a field and the space after it from the line.
   std::string_view field() {
-    if (at_end_of_line_) refuse("a line ends too early");
     const std::size_t length = line_.find(' ');
-    at_end_of_line_ = length == line_.npos;
     const std::string_view result = line_.substr(0, length);
-    line_.remove_prefix(at_end_of_line_ ? line_.size() : length + 1);
-    if (result.empty()) refuse("a space is where none belongs");
+    line_.remove_prefix(std::min(result.size() + 1, line_.size()));
+    // The last field of a line has no space after it.
+    if (result.empty() || (line_.empty() && length != line_.npos)) {
+      refuse("a line ends too early, or has a space where none belongs");
+    }
     return result;
   }
 
-  void end_of_line() const {
-    if (!at_end_of_line_) refuse("a line goes on where it should end");
-  }
-
-  void word(std::string_view expected) {
-    if (field() != expected) refuse("\"" + std::string(expected) + "\" is missing");
-  }
-
-  Index parsed(std::string_view text, std::size_t bound, const char* what) const {
+  Index index(std::string_view text, std::size_t bound, const char* what) const {
     const std::optional<Index> value = index_of(text);
     if (!value) refuse("a field is not the number of some " + std::string(what));
     if (*value >= bound) refuse("there is no " + std::string(what) + " " + std::to_string(*value));
     return *value;
-  }
-  Index index(std::size_t bound, const char* what) { return parsed(field(), bound, what); }
-  Index index_or_none(std::string_view text, std::size_t bound, const char* what) const {
-    return text == "-" ? kNone : parsed(text, bound, what);
   }
 
   Number number() {
@@ -103,128 +90,86 @@ class Reader {
     return {std::move(x), number()};
   }
 
-  /// The head of a section. Its lines have at least `least_length` bytes, so that no count asks for
-  /// more memory than the text justifies.
-  std::size_t section(const char* name, std::size_t least_length) {
+  /// The head of a section. A line has two bytes at least, so that no count asks for more memory
+  /// than the text justifies.
+  std::size_t section(const std::string& name, std::size_t& first_line) {
     next_line();
-    word(name);
-    const std::optional<Index> count = index_of(field());
+    if (field() != name) refuse("\"" + name + "\" is missing");
+    const std::optional<Index> count = index_of(line_);
     if (!count) refuse("a count is not written as a number");
-    end_of_line();
-    if (*count > text_.size() / least_length) refuse("there are fewer lines than it says");
+    if (*count > text_.size() / 2) refuse("there are fewer lines than it says");
+    first_line = line_number_ + 1;
     return *count;
   }
 
   void vertices() {
-    const std::size_t count = section("vertices", std::string_view("0 0 point 0\n").size());
-    certificate_.vertices.reserve(count);
-    certificate_.definers.reserve(count);
-    certificate_.vertex_line = line_number_ + 1;
-    for (std::size_t v = 0; v < count; ++v) {
+    std::vector<Point>& vertices = certificate_.vertices;
+    for (std::size_t count = section("vertices", certificate_.vertex_line); count > 0; --count) {
       next_line();
-      certificate_.vertices.push_back(point());
-      certificate_.definers.push_back(definer());
-      end_of_line();
+      vertices.push_back(point());
+      certificate_.reasons.push_back(line_);
+      const auto v = static_cast<Index>(vertices.size() - 1);
+      const int order = v > 0 ? compare(vertices[v - 1], vertices[v]) : -1;
+      if (order == 0) certificate_.refuse_vertex(v, "is where the one before it is");
+      if (order > 0) certificate_.refuse_vertex(v, "should come before the one before it");
     }
-  }
-
-  Definer definer() {
-    const std::string_view kind = field();
-    if (kind == "point") {
-      return {Definer::Kind::Point, index(input_.points.size(), "point"), kNone};
-    }
-    if (kind != "end" && kind != "cross") refuse("a vertex is neither end, cross nor point");
-    const Index first = index(input_.segments.size(), "segment");
-    if (kind == "end") return {Definer::Kind::End, first, index(2, "end")};
-    return {Definer::Kind::Cross, first, index(input_.segments.size(), "segment")};
   }
 
   void edges() {
-    const std::size_t count = section("edges", std::string_view("0 1 0:0\n").size());
-    certificate_.edges.reserve(count);
-    certificate_.segments.begins.reserve(count + 1);
-    certificate_.edge_line = line_number_ + 1;
-    for (std::size_t e = 0; e < count; ++e) {
+    std::vector<Edge>& edges = certificate_.edges;
+    for (std::size_t count = section("edges", certificate_.edge_line); count > 0; --count) {
       next_line();
-      const Index tail = index(certificate_.vertices.size(), "vertex");
-      const Index head = index(certificate_.vertices.size(), "vertex");
+      const Index tail = index(field(), certificate_.vertices.size(), "vertex");
+      const Index head = index(field(), certificate_.vertices.size(), "vertex");
       if (tail >= head) refuse("the tail of an edge is not before its head");
-      certificate_.edges.push_back({tail, head});
-      covering_segments();
-    }
-  }
-
-  void covering_segments() {
-    Lists& segments = certificate_.segments;
-    do {
-      const std::string_view text = field();
-      const std::size_t colon = std::min(text.find(':'), text.size() - 1);
-      const Index segment = parsed(text.substr(0, colon), input_.segments.size(), "segment");
-      if (segments.values.size() > segments.begins.back() && segments.values.back() >= segment) {
-        refuse("the segments that cover an edge are not ascending");
+      if (!edges.empty() &&
+          std::pair(edges.back().tail, edges.back().head) >= std::pair(tail, head)) {
+        refuse("an edge has the ends of the one before it, or should come before that");
       }
-      segments.values.push_back(segment);
-      certificate_.pieces.push_back(parsed(text.substr(colon + 1), kNone, "piece"));
-    } while (!at_end_of_line_);
-    segments.close();
+      edges.push_back({tail, head});
+      do covering_segment();
+      while (!line_.empty());
+      certificate_.segments.close();
+    }
   }
 
-  void cycles() {
-    const std::size_t count = section("cycles", std::string_view("+0\n").size());
-    certificate_.cycles.begins.reserve(count + 1);
-    certificate_.cycles.values.reserve(2 * certificate_.edges.size());
-    certificate_.cycle_line = line_number_ + 1;
-    for (std::size_t c = 0; c < count; ++c) {
+  void covering_segment() {
+    Lists& segments = certificate_.segments;
+    const std::string_view text = field();
+    const std::size_t colon = std::min(text.find(':'), text.size() - 1);
+    const Index segment = index(text.substr(0, colon), input_.segments.size(), "segment");
+    if (segments.values.size() > segments.begins.back() && segments.values.back() >= segment) {
+      refuse("the segments that cover an edge are not ascending");
+    }
+    segments.values.push_back(segment);
+    certificate_.pieces.push_back(index(text.substr(colon + 1), kNone, "piece"));
+  }
+
+  void lines(const std::string& name, std::size_t& first_line,
+             std::vector<std::string_view>& lines) {
+    for (std::size_t count = section(name, first_line); count > 0; --count) {
       next_line();
-      do {
-        const std::string_view text = field();
-        if (text[0] != '+' && text[0] != '-') refuse("a halfedge has no sign");
-        const Index edge = parsed(text.substr(1), certificate_.edges.size(), "edge");
-        certificate_.cycles.values.push_back(text[0] == '+' ? along(edge) : against(edge));
-      } while (!at_end_of_line_);
-      certificate_.cycles.close();
+      lines.push_back(line_);
     }
   }
 
-  void faces() {
-    constexpr std::string_view kLeast = "outer - depth 0 parent - holes isolated inside -\n";
-    const std::size_t count = section("faces", kLeast.size());
-    certificate_.faces.reserve(count);
-    certificate_.face_line = line_number_ + 1;
-    for (std::size_t f = 0; f < count; ++f) {
-      next_line();
-      word("outer");
-      const Index outer = index_or_none(field(), certificate_.cycles.size(), "cycle");
-      word("depth");
-      const Index depth = index(count, "depth");
-      word("parent");
-      certificate_.faces.push_back({outer, depth, index_or_none(field(), count, "face")});
-      word("holes");
-      list(certificate_.holes, "isolated", certificate_.cycles.size(), "cycle");
-      list(certificate_.isolated, "inside", certificate_.vertices.size(), "vertex");
-      if (f > 0) certificate_.inside.push_back(point());
-      if (f == 0) word("-");
-      end_of_line();
+  /// Parts the lines of faces in front of " inside", and reads the points after it.
+  void inside() {
+    constexpr std::string_view kInside = " inside ";
+    line_number_ = certificate_.face_line;
+    for (std::string_view& face : certificate_.faces) {
+      const std::size_t end = std::min(face.rfind(kInside), face.size());
+      line_ = face.substr(std::min(end + kInside.size(), face.size()));
+      face = face.substr(0, end);
+      if (line_number_ == certificate_.face_line) {
+        if (line_ != "-") refuse("the unbounded face does not have \" inside -\"");
+      } else {
+        certificate_.inside.push_back(point());
+        if (!line_.empty()) refuse("a line goes on where it should end");
+      }
+      ++line_number_;
     }
-  }
-
-  void list(Lists& lists, std::string_view end, std::size_t bound, const char* what) {
-    for (std::string_view text = field(); text != end; text = field()) {
-      lists.values.push_back(parsed(text, bound, what));
-    }
-    lists.close();
-  }
-
-  void components() {
-    const std::size_t count = section("components", std::string_view("0 0\n").size());
-    certificate_.components.reserve(count);
-    certificate_.component_line = line_number_ + 1;
-    for (std::size_t c = 0; c < count; ++c) {
-      next_line();
-      const Index vertex = index(certificate_.vertices.size(), "vertex");
-      certificate_.components.push_back({vertex, index(certificate_.faces.size(), "face")});
-      end_of_line();
-    }
+    --line_number_;
   }
 
   std::string_view text_;  ///< after the line
@@ -232,13 +177,45 @@ class Reader {
   Certificate certificate_;
   std::string_view line_;  ///< what is left of it
   std::size_t line_number_ = 0;
-  bool at_end_of_line_ = true;
 };
 
 }  // namespace
 
 Certificate read_certificate(std::string_view text, const Input& input) {
   return Reader(text, input).read();
+}
+
+void Certificate::refuse_vertex(Index v, const std::string& problem) const {
+  throw Refusal{"vertex " + std::to_string(v) + " " + problem, vertex_line + v,
+                text_of(vertices[v])};
+}
+
+void Certificate::refuse_edge(Index e, const std::string& problem, const Point& place) const {
+  throw Refusal{"edge " + std::to_string(e) + " " + problem, edge_line + e, text_of(place)};
+}
+
+void Certificate::refuse_inside(Index face, const std::string& problem) const {
+  throw Refusal{"the point inside face " + std::to_string(face) + " " + problem, face_line + face,
+                text_of(inside[face - 1])};
+}
+
+void require(const std::string& item, std::string_view said, std::string_view right,
+             std::size_t line, const Point* place) {
+  if (said == right) return;
+  // What is around the first difference.
+  const auto [in_said, in_right] =
+      std::mismatch(said.begin(), said.end(), right.begin(), right.end());
+  constexpr std::ptrdiff_t kBefore = 40;
+  constexpr std::size_t kShown = 80;
+  const auto begin =
+      static_cast<std::size_t>(std::max(in_said - said.begin() - kBefore, std::ptrdiff_t{0}));
+  const auto shown = [&](std::string_view text) {
+    std::string part(text.substr(begin, kShown));
+    for (char& c : part) c = c >= ' ' && c <= '~' ? c : '?';
+    return (begin > 0 ? "\"... " : "\"") + part + (begin + kShown < text.size() ? " ...\"" : "\"");
+  };
+  throw Refusal{item + " is " + shown(said) + ", not " + shown(right), line,
+                place != nullptr ? text_of(*place) : ""};
 }
 
 }  // namespace plumbline_verify

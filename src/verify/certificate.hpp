@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,7 +12,6 @@
 namespace plumbline_verify {
 
 using Index = std::uint32_t;
-/// "-" in a certificate; also: no edge, not yet known.
 inline constexpr Index kNone = 0xFFFFFFFF;
 
 /// Lists of numbers, one after the other.
@@ -25,16 +25,6 @@ struct Lists {
   void close() { begins.push_back(static_cast<Index>(values.size())); }
 };
 
-/// Why there is a vertex.
-struct Definer {
-  enum class Kind : std::uint8_t { End, Cross, Point };
-  Kind kind = Kind::End;
-  Index first = kNone;   ///< segment or point
-  Index second = kNone;  ///< end 0 or 1, or the other segment
-
-  bool operator==(const Definer&) const = default;
-};
-
 struct Edge {
   Index tail, head;  ///< tail < head
 };
@@ -42,34 +32,33 @@ struct Edge {
 inline Index along(Index edge) { return 2 * edge; }
 inline Index against(Index edge) { return 2 * edge + 1; }
 
-struct Face {
-  Index outer, depth, parent;
-};
-
-struct Component {
-  Index least_vertex, face;
-};
-
-/// A certificate as its text has it. The indices that the first half (vertices, edges) refers to
-/// exist, tail < head, and numbers are in lowest terms; nothing else is known.
+/// What a certificate says. Of its vertices, edges and points inside faces it is known that they
+/// are well-formed, refer to what there is, and come in their order; everything else is text still.
 struct Certificate {
   std::string_view signature;
-  std::vector<Point> vertices;
-  std::vector<Definer> definers;  ///< of each vertex
-  std::vector<Edge> edges;
-  Lists segments;             ///< that cover each edge, ascending, at least one
-  std::vector<Index> pieces;  ///< which piece of the segment the edge is, as segments.values
-  Lists cycles;               ///< of halfedges
-  std::vector<Face> faces;
-  Lists holes, isolated;      ///< of each face
+  std::vector<Point> vertices;            ///< strictly ascending
+  std::vector<std::string_view> reasons;  ///< of each vertex
+  std::vector<Edge> edges;                ///< strictly ascending by (tail, head)
+  Lists segments;             ///< that cover each edge, strictly ascending, at least one
+  std::vector<Index> pieces;  ///< which piece of the segment an edge is, as segments.values
+  std::vector<std::string_view> cycles, faces,
+      components;             ///< lines; of faces what is before " inside"
   std::vector<Point> inside;  ///< of each face but face 0
-  std::vector<Component> components;
 
   /// The line of the text on which a section's first item is.
   std::size_t vertex_line = 0, edge_line = 0, cycle_line = 0, face_line = 0, component_line = 0;
+
+  /// Throw a Refusal: what is wrong with an item, on its line, at its place.
+  [[noreturn]] void refuse_vertex(Index v, const std::string& problem) const;
+  [[noreturn]] void refuse_edge(Index e, const std::string& problem, const Point& place) const;
+  [[noreturn]] void refuse_inside(Index face, const std::string& problem) const;
 };
 
 /// Reads a certificate. Throws: Refusal.
 Certificate read_certificate(std::string_view text, const Input& input);
+
+/// Throws a Refusal where a line, or a part of it, is not what is right.
+void require(const std::string& item, std::string_view said, std::string_view right,
+             std::size_t line, const Point* place = nullptr);
 
 }  // namespace plumbline_verify

@@ -10,201 +10,128 @@
 namespace plumbline_verify {
 namespace {
 
-/// Connected components of vertices and edges.
-class Components {
- public:
-  explicit Components(const Certificate& certificate) : least_(certificate.vertices.size()) {
-    std::iota(least_.begin(), least_.end(), 0);
-    for (const auto [tail, head] : certificate.edges) {
-      const Index a = least(tail);
-      const Index b = least(head);
-      least_[std::max(a, b)] = std::min(a, b);
-    }
-  }
-
-  /// The least vertex of the component of a vertex.
-  Index least(Index v) {
-    for (; least_[v] != v; v = least_[v]) least_[v] = least_[least_[v]];
+/// The least vertex of the connected component of each vertex.
+std::vector<Index> least_vertices(const Certificate& certificate) {
+  std::vector<Index> least(certificate.vertices.size());
+  std::iota(least.begin(), least.end(), 0);
+  const auto find = [&](Index v) {
+    for (; least[v] != v; v = least[v]) least[v] = least[least[v]];
     return v;
+  };
+  for (const auto [tail, head] : certificate.edges) {
+    const Index a = find(tail);
+    const Index b = find(head);
+    least[std::max(a, b)] = std::min(a, b);
   }
+  for (Index v = 0; v < least.size(); ++v) least[v] = find(v);
+  return least;
+}
 
- private:
-  std::vector<Index> least_;
-};
-
-class Faces {
+/// The faces that follow from the sweep and the cycles.
+class Nesting {
  public:
-  Faces(const Certificate& certificate, const Sweep& sweep, const std::vector<Index>& cycle_of)
-      : certificate_(certificate), sweep_(sweep), cycle_of_(cycle_of) {}
-
-  void check() {
-    find_components();
-    find_outer_cycles();
-    nest();
-    check_nesting_lists();
-    check_inside();
-    const std::size_t v = certificate_.vertices.size();
-    const std::size_t e = certificate_.edges.size();
-    const std::size_t c = certificate_.components.size();
-    if (v + certificate_.faces.size() != 1 + c + e)
-      refuse_face(0, "Euler's relation does not hold");
-  }
-
- private:
-  [[noreturn]] void refuse_face(std::size_t face, std::string reason) const {
-    throw Refusal{std::move(reason), certificate_.face_line + face, ""};
-  }
-  [[noreturn]] void refuse_component(std::size_t component, std::string reason) const {
-    std::string place;
-    if (component < least_vertices_.size()) {
-      place = text_of(certificate_.vertices[least_vertices_[component]]);
+  Nesting(const Certificate& certificate, const Sweep& sweep, const Cycles& cycles)
+      : sweep_(sweep), cycle_of_(cycles.cycle_of), least_(least_vertices(certificate)) {
+    for (Index v = 0; v < least_.size(); ++v) {
+      if (least_[v] == v) components_.push_back(v);
     }
-    throw Refusal{std::move(reason), certificate_.component_line + component, std::move(place)};
-  }
-
-  static std::string name(const char* what, Index number) {
-    return number == kNone ? std::string("-") : what + (" " + std::to_string(number));
-  }
-
-  void find_components() {
-    Components components(certificate_);
-    for (Index v = 0; v < certificate_.vertices.size(); ++v) {
-      if (components.least(v) == v) least_vertices_.push_back(v);
+    face_of_.assign(cycles.halfedges.size(), 0);
+    for (const Index v : components_) {
+      if (sweep.topmost[v] != kNone) face_of_[cycle_around(v)] = kNone;
     }
-    const std::size_t count = certificate_.components.size();
-    if (count != least_vertices_.size()) {
-      refuse_component(0, "there are " + std::to_string(least_vertices_.size()) +
-                              " components, not " + std::to_string(count));
-    }
-    for (std::size_t c = 0; c < count; ++c) {
-      if (certificate_.components[c].least_vertex != least_vertices_[c]) {
-        refuse_component(c, "the least vertex of component " + std::to_string(c) + " is " +
-                                std::to_string(least_vertices_[c]));
-      }
-    }
-    component_of_.resize(certificate_.vertices.size());
-    for (Index c = 0; c < count; ++c) component_of_[least_vertices_[c]] = c;
-    for (Index v = 0; v < component_of_.size(); ++v) {
-      component_of_[v] = component_of_[components.least(v)];
-    }
-  }
-
-  /// The cycle around a component is on the left of the steepest edge at its least vertex, where
-  /// nothing of the component is further to the left. All others enclose a face each.
-  void find_outer_cycles() {
-    face_of_.assign(certificate_.cycles.size(), 0);
-    around_.assign(least_vertices_.size(), kNone);
-    for (std::size_t c = 0; c < least_vertices_.size(); ++c) {
-      const Index edge = sweep_.topmost[least_vertices_[c]];
-      if (edge == kNone) continue;  // an isolated vertex
-      around_[c] = cycle_of_[along(edge)];
-      face_of_[around_[c]] = kNone;
-    }
-    Index count = 1;
     for (Index cycle = 0; cycle < face_of_.size(); ++cycle) {
-      if (face_of_[cycle] != kNone) {
-        if (count < certificate_.faces.size() && certificate_.faces[count].outer != cycle) {
-          refuse_face(count, "the outer cycle of face " + std::to_string(count) + " is " +
-                                 std::to_string(cycle));
-        }
-        face_of_[cycle] = count++;
-      }
+      if (face_of_[cycle] == kNone) continue;
+      face_of_[cycle] = static_cast<Index>(faces_.size());
+      faces_.push_back({.outer = cycle, .depth = 0, .parent = kNone, .holes = {}, .isolated = {}});
     }
-    if (count != certificate_.faces.size()) {
-      refuse_face(0, "there are " + std::to_string(count) + " faces, not " +
-                         std::to_string(certificate_.faces.size()));
+    for (const Index v : components_) put_into_face(v);
+    // The edges at the leftmost vertex of a face come before all edges of what lies in it, so a
+    // face's parent comes before it.
+    for (Index f = 1; f < faces_.size(); ++f) {
+      std::sort(faces_[f].holes.begin(), faces_[f].holes.end());
+      const Index edge = *cycles.halfedges.begin(faces_[f].outer) / 2;
+      faces_[f].parent = face_around(least_[certificate.edges[edge].tail]);
+      faces_[f].depth = faces_[faces_[f].parent].depth + 1;
     }
-    const Face& unbounded = certificate_.faces[0];
-    if (unbounded.outer != kNone || unbounded.depth != 0 || unbounded.parent != kNone) {
-      refuse_face(0, "face 0 is not the unbounded one: it has an outer cycle, a depth or a parent");
-    }
+    std::sort(faces_[0].holes.begin(), faces_[0].holes.end());
   }
 
-  /// The face above an edge; what has no edge below is in the unbounded one.
+  /// The face above an edge; what has no edge below it is in the unbounded one.
   Index face_above(Index edge) const {
     return edge == kNone ? 0 : face_of_[cycle_of_[along(edge)]];
   }
+  /// The face that contains the component with the least vertex v.
+  Index face_around(Index v) const { return face_above(sweep_.below[v]); }
 
-  /// The edge below a component's least vertex starts before that, so its component comes earlier
-  /// and the cycle around it has got its face.
-  void nest() {
-    holes_.resize(certificate_.faces.size());
-    isolated_.resize(certificate_.faces.size());
-    for (Index c = 0; c < least_vertices_.size(); ++c) {
-      const Index v = least_vertices_[c];
-      const Index parent = face_above(sweep_.below[v]);
-      if (certificate_.components[c].face != parent) {
-        refuse_component(c, "component " + std::to_string(c) + " is in face " +
-                                std::to_string(parent) + ", not in face " +
-                                std::to_string(certificate_.components[c].face));
-      }
-      if (around_[c] == kNone) {
-        isolated_[parent].push_back(v);
-      } else {
-        face_of_[around_[c]] = parent;
-        holes_[parent].push_back(around_[c]);
-      }
-    }
-    for (std::vector<Index>& holes : holes_) std::sort(holes.begin(), holes.end());
-    for (Index f = 1; f < certificate_.faces.size(); ++f) check_parent(f);
-  }
+  const std::vector<Index>& components() const { return components_; }  ///< least vertices
+  std::vector<Face>& faces() { return faces_; }
 
-  void check_parent(Index f) const {
-    const Face& face = certificate_.faces[f];
-    const Index halfedge = *certificate_.cycles.begin(face.outer);
-    const Index component = component_of_[certificate_.edges[halfedge / 2].tail];
-    const Index parent = certificate_.components[component].face;
-    if (face.parent != parent) {
-      refuse_face(f, "the parent of face " + std::to_string(f) + " is face " +
-                         std::to_string(parent) + ", not " + name("face", face.parent));
-    }
-    // Parents are in components that come earlier, so that every chain of them ends in face 0.
-    if (face.depth != certificate_.faces[parent].depth + 1) {
-      refuse_face(f, "the depth of face " + std::to_string(f) + " is not that of its parent + 1");
+ private:
+  /// The cycle around a component: it has the steepest edge at the least vertex on its right, and
+  /// nothing of the component is further to the left. All other cycles enclose a face each.
+  Index cycle_around(Index v) const { return cycle_of_[along(sweep_.topmost[v])]; }
+
+  /// The edge below the least vertex of a component starts further to the left, so its component
+  /// comes earlier and the cycle around that has got its face.
+  void put_into_face(Index v) {
+    const Index parent = face_around(v);
+    if (sweep_.topmost[v] == kNone) {
+      faces_[parent].isolated.push_back(v);
+    } else {
+      face_of_[cycle_around(v)] = parent;
+      faces_[parent].holes.push_back(cycle_around(v));
     }
   }
 
-  void check_nesting_lists() const {
-    for (std::size_t f = 0; f < certificate_.faces.size(); ++f) {
-      check_list(f, certificate_.holes, holes_[f], "holes");
-      check_list(f, certificate_.isolated, isolated_[f], "isolated vertices");
-    }
-  }
-  void check_list(std::size_t f, const Lists& said, const std::vector<Index>& right,
-                  const char* what) const {
-    if (std::equal(said.begin(f), said.end(f), right.begin(), right.end())) return;
-    std::string list;
-    for (std::size_t i = 0; i < right.size() && i < 10; ++i) list += " " + std::to_string(right[i]);
-    if (right.size() > 10) list += " ...";
-    refuse_face(f, "the " + std::string(what) + " of face " + std::to_string(f) + " are" +
-                       (right.empty() ? " none" : list));
-  }
-
-  void check_inside() const {
-    for (std::size_t item = 0; item < certificate_.inside.size(); ++item) {
-      const Index face = face_above(sweep_.below_inside[item]);
-      if (face == item + 1) continue;
-      throw Refusal{"the point inside face " + std::to_string(item + 1) + " is in face " +
-                        std::to_string(face),
-                    certificate_.face_line + item + 1, text_of(certificate_.inside[item])};
-    }
-  }
-
-  const Certificate& certificate_;
   const Sweep& sweep_;
   const std::vector<Index>& cycle_of_;
-  std::vector<Index> least_vertices_;  ///< of each component
-  std::vector<Index> component_of_;    ///< of each vertex
-  std::vector<Index> around_;   ///< the cycle around each component, kNone if an isolated vertex
+  std::vector<Index> least_;
+  std::vector<Index> components_;
   std::vector<Index> face_of_;  ///< on the left of each cycle
-  std::vector<std::vector<Index>> holes_, isolated_;  ///< of each face
+  std::vector<Face> faces_{1};
 };
+
+std::string text_of(Index number) { return number == kNone ? "-" : std::to_string(number); }
+std::string text_of(const Face& face) {
+  std::string text = "outer " + text_of(face.outer) + " depth " + text_of(face.depth) + " parent " +
+                     text_of(face.parent) + " holes";
+  for (const Index cycle : face.holes) text += " " + std::to_string(cycle);
+  text += " isolated";
+  for (const Index v : face.isolated) text += " " + std::to_string(v);
+  return text;
+}
 
 }  // namespace
 
-void check_faces(const Certificate& certificate, const Sweep& sweep,
-                 const std::vector<Index>& cycle_of) {
-  Faces(certificate, sweep, cycle_of).check();
+std::vector<Face> check_faces(const Certificate& certificate, const Sweep& sweep,
+                              const Cycles& cycles) {
+  Nesting nesting(certificate, sweep, cycles);
+  const std::vector<Face>& faces = nesting.faces();
+  require("the number of faces", std::to_string(certificate.faces.size()),
+          std::to_string(faces.size()), certificate.face_line - 1);
+  for (Index f = 0; f < faces.size(); ++f) {
+    require("face " + std::to_string(f), certificate.faces[f], text_of(faces[f]),
+            certificate.face_line + f);
+  }
+  const std::vector<Index>& components = nesting.components();
+  require("the number of components", std::to_string(certificate.components.size()),
+          std::to_string(components.size()), certificate.component_line - 1);
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    const Index v = components[c];
+    require("component " + std::to_string(c), certificate.components[c],
+            std::to_string(v) + " " + std::to_string(nesting.face_around(v)),
+            certificate.component_line + c, &certificate.vertices[v]);
+  }
+  for (Index f = 1; f < faces.size(); ++f) {
+    const Index face = nesting.face_above(sweep.below_inside[f - 1]);
+    if (face != f) certificate.refuse_inside(f, "is in face " + std::to_string(face));
+  }
+  // This follows, but a slip above would show here.
+  if (certificate.vertices.size() + faces.size() !=
+      1 + components.size() + certificate.edges.size()) {
+    throw Refusal{"Euler's relation does not hold", certificate.face_line, ""};
+  }
+  return std::move(nesting.faces());
 }
 
 }  // namespace plumbline_verify

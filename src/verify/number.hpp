@@ -49,6 +49,7 @@ int compare(const Number& a, const Number& b);
 
 /// The lexicographic order by (x, y). **Exact**.
 int compare(const Point& a, const Point& b);
+inline bool before(const Point& a, const Point& b) { return compare(a, b) < 0; }
 
 /// "(1/2, 1/3)", numbers of more than a hundred letters cut short.
 std::string text_of(const Point& point);

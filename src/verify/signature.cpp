@@ -7,7 +7,6 @@
 #include <new>
 #include <string>
 
-#include "refusal.hpp"
 #include "steps.hpp"
 
 namespace plumbline_verify {
@@ -70,31 +69,32 @@ class Hash {
   std::string buffer_, number_;
 };
 
-void add_list(Hash& hash, std::string_view name, const Lists& lists, std::size_t list) {
+void add_list(Hash& hash, std::string_view name, const Index* begin, const Index* end) {
   hash << name;
-  for (const Index* i = lists.begin(list); i != lists.end(list); ++i) hash << " " << *i;
+  for (; begin != end; ++begin) hash << " " << *begin;
   hash << "\n";
+}
+void add_list(Hash& hash, std::string_view name, const std::vector<Index>& list) {
+  add_list(hash, name, list.data(), list.data() + list.size());
 }
 
 }  // namespace
 
-void check_signature(const Certificate& certificate) {
+void check_signature(const Certificate& certificate, const Lists& cycles,
+                     const std::vector<Face>& faces) {
   Hash hash;
   hash << "plumbline complex 1\n";
   for (const Point& p : certificate.vertices) hash << "v " << p.x << " " << p.y << "\n";
   for (const Edge& e : certificate.edges) hash << "e " << e.tail << " " << e.head << "\n";
-  for (std::size_t c = 0; c < certificate.cycles.size(); ++c) {
-    add_list(hash, "c", certificate.cycles, c);
-  }
-  for (std::size_t f = 0; f < certificate.faces.size(); ++f) {
-    if (f > 0) hash << "o " << certificate.faces[f].outer << "\n";
-    add_list(hash, "h", certificate.holes, f);
-    add_list(hash, "i", certificate.isolated, f);
+  for (std::size_t c = 0; c < cycles.size(); ++c)
+    add_list(hash, "c", cycles.begin(c), cycles.end(c));
+  for (const Face& face : faces) {
+    if (face.outer != kNone) hash << "o " << face.outer << "\n";
+    add_list(hash, "h", face.holes);
+    add_list(hash, "i", face.isolated);
   }
   constexpr std::size_t kSignatureLine = 2;
-  if (const std::string right = hash.digits(); certificate.signature != right) {
-    throw Refusal{"the signature of the content is " + right, kSignatureLine, ""};
-  }
+  require("the signature", certificate.signature, hash.digits(), kSignatureLine);
 }
 
 }  // namespace plumbline_verify

@@ -10,14 +10,11 @@
 
 namespace plumbline_verify {
 
-/// Vertices and edges are strictly ascending, hence pairwise different.
-void check_order(const Certificate& certificate);
-
 /// Every segment is the chain of the edges that name it, and all vertices of these lie on it.
 void check_covering(const Input& input, const Certificate& certificate);
 
 /// Every vertex is there for the first reason that applies; every point of the input is a vertex.
-void check_definers(const Input& input, const Certificate& certificate);
+void check_reasons(const Input& input, const Certificate& certificate);
 
 /// What the sweep knows once it has proved that no two edges meet except at common vertices.
 struct Sweep {
@@ -28,14 +25,23 @@ struct Sweep {
 };
 Sweep check_planarity(const Input& input, const Certificate& certificate);
 
-/// The cycles are the orbits of `next`. The result is the cycle of each halfedge.
-std::vector<Index> check_cycles(const Certificate& certificate, const std::vector<Index>& next);
+struct Cycles {
+  Lists halfedges;              ///< of each cycle
+  std::vector<Index> cycle_of;  ///< of each halfedge
+};
+/// The cycles are the orbits of `next`.
+Cycles check_cycles(const Certificate& certificate, const std::vector<Index>& next);
 
+struct Face {
+  Index outer = kNone, depth = 0, parent = kNone;
+  std::vector<Index> holes, isolated;
+};
 /// Components, faces, their nesting and the points inside, and Euler's relation.
-void check_faces(const Certificate& certificate, const Sweep& sweep,
-                 const std::vector<Index>& cycle_of);
+std::vector<Face> check_faces(const Certificate& certificate, const Sweep& sweep,
+                              const Cycles& cycles);
 
 /// The signature is that of the content.
-void check_signature(const Certificate& certificate);
+void check_signature(const Certificate& certificate, const Lists& cycles,
+                     const std::vector<Face>& faces);
 
 }  // namespace plumbline_verify

@@ -19,7 +19,6 @@
 #include <set>
 #include <string>
 
-#include "refusal.hpp"
 #include "steps.hpp"
 
 namespace plumbline_verify {
@@ -93,10 +92,9 @@ class PlaneSweep {
     const std::vector<Point>& vertices = certificate_.vertices;
     for (Index item = 0; item < certificate_.inside.size(); ++item) {
       const Point& p = certificate_.inside[item];
-      const auto found =
-          std::lower_bound(vertices.begin(), vertices.end(), p,
-                           [](const Point& a, const Point& b) { return compare(a, b) < 0; });
-      if (found != vertices.end() && *found == p) refuse_inside(item, "is a vertex");
+      const auto found = std::lower_bound(vertices.begin(), vertices.end(), p, before);
+      if (found != vertices.end() && *found == p)
+        certificate_.refuse_inside(item + 1, "is a vertex");
       inside_.push_back({static_cast<Index>(found - vertices.begin()), item});
     }
     std::sort(inside_.begin(), inside_.end(), [](const Inside& a, const Inside& b) {
@@ -110,13 +108,9 @@ class PlaneSweep {
     const bool is_between = (above == status_.end() || side(line(*above), p) < 0) &&
                             (above == status_.begin() || side(line(*std::prev(above)), p) > 0);
     if (!is_between)
-      refuse_inside(inside.item, "lies on an edge, or edges cross to the left of it");
+      certificate_.refuse_inside(inside.item + 1,
+                                 "lies on an edge, or edges cross to the left of it");
     if (above != status_.begin()) result_.below_inside[inside.item] = *std::prev(above);
-  }
-
-  [[noreturn]] void refuse_inside(Index item, const char* problem) const {
-    throw Refusal{"the point inside face " + std::to_string(item + 1) + " " + problem,
-                  certificate_.face_line + item + 1, text_of(certificate_.inside[item])};
   }
 
   void pass(Index v) {
@@ -140,8 +134,7 @@ class PlaneSweep {
     ++last;
     for (Index count = 0; count < ending_[v].count; ++count) {
       if (last == status_.begin() || edge(*std::prev(last)).head != v) {
-        throw Refusal{"another edge passes between those that end at vertex " + std::to_string(v),
-                      certificate_.vertex_line + v, text_of(certificate_.vertices[v])};
+        certificate_.refuse_vertex(v, "is an end of edges between which another one passes");
       }
       const Place ended = std::prev(last);
       ending_edges_.push_back(*ended);
@@ -160,10 +153,10 @@ class PlaneSweep {
               [&](Index a, Index b) { return turn(line(a), line(b)) > 0; });
     for (std::size_t i = 0; i < around_.size(); ++i) {
       if (i > 0 && turn(line(around_[i - 1]), line(around_[i])) <= 0) {
-        throw Refusal{"edges " + std::to_string(around_[i - 1]) + " and " +
-                          std::to_string(around_[i]) + " leave vertex " + std::to_string(v) +
-                          " in the same direction",
-                      certificate_.edge_line + around_[i], text_of(certificate_.vertices[v])};
+        certificate_.refuse_edge(
+            around_[i],
+            "leaves its tail in the direction of edge " + std::to_string(around_[i - 1]),
+            certificate_.vertices[v]);
       }
       place_[around_[i]] = status_.insert(above, around_[i]);
     }
@@ -183,13 +176,11 @@ class PlaneSweep {
   }
 
   [[noreturn]] void refuse(Index v, Index e, const char* where) const {
-    const Point& p = certificate_.vertices[v];
-    const std::string vertex = "vertex " + std::to_string(v);
-    const std::string number = std::to_string(e);
-    throw Refusal{side(line(e), p) == 0 ? vertex + " lies on edge " + number
-                                        : vertex + " is not " + where + " edge " + number +
-                                              ", so that edges cross to the left of it",
-                  certificate_.vertex_line + v, text_of(p)};
+    const std::string edge = " edge " + std::to_string(e);
+    certificate_.refuse_vertex(
+        v, side(line(e), certificate_.vertices[v]) == 0
+               ? "lies on" + edge
+               : std::string("is not ") + where + edge + ", so that edges cross to the left of it");
   }
 
   const Input& input_;

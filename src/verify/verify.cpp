@@ -2,6 +2,7 @@
 
 #include "verify.hpp"
 
+#include <numeric>
 #include <utility>
 
 #include "refusal.hpp"
@@ -17,22 +18,26 @@ Counts check(std::string_view input_text, std::string_view certificate_text) {
   const Input input = read_input(input_text);
   if (certificate_text.size() > kMaxBytes) throw Refusal{"it has 4 GiB or more", 0, ""};
   const Certificate certificate = read_certificate(certificate_text, input);
-  check_order(certificate);
   check_covering(input, certificate);
-  check_definers(input, certificate);
+  check_reasons(input, certificate);
   const Sweep sweep = check_planarity(input, certificate);
-  check_faces(certificate, sweep, check_cycles(certificate, sweep.next));
-  check_signature(certificate);
-  return {.segments = input.segments.size(),
-          .points = input.points.size(),
-          .without_length = input.without_length,
-          .vertices = certificate.vertices.size(),
-          .edges = certificate.edges.size(),
-          .cycles = certificate.cycles.size(),
-          .faces = certificate.faces.size(),
-          .components = certificate.components.size(),
-          .isolated_vertices = certificate.isolated.values.size(),
-          .pieces = certificate.pieces.size()};
+  const Cycles cycles = check_cycles(certificate, sweep.next);
+  const std::vector<Face> faces = check_faces(certificate, sweep, cycles);
+  check_signature(certificate, cycles.halfedges, faces);
+  const auto isolated = [](std::size_t count, const Face& face) {
+    return count + face.isolated.size();
+  };
+  return {
+      .segments = input.segments.size(),
+      .points = input.points.size(),
+      .without_length = input.without_length,
+      .vertices = certificate.vertices.size(),
+      .edges = certificate.edges.size(),
+      .cycles = certificate.cycles.size(),
+      .faces = certificate.faces.size(),
+      .components = certificate.components.size(),
+      .isolated_vertices = std::accumulate(faces.begin(), faces.end(), std::size_t{0}, isolated),
+      .pieces = certificate.pieces.size()};
 }
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
