@@ -9,6 +9,7 @@ add_test(NAME "sources: clang-tidy finds nothing" COMMAND ${scripts}/tidy ${PROJ
 file(GLOB shell_scripts ${scripts}/* ${PROJECT_SOURCE_DIR}/.ci/* ${CMAKE_CURRENT_SOURCE_DIR}/*.sh
      ${PROJECT_SOURCE_DIR}/validation/agreement ${PROJECT_SOURCE_DIR}/validation/certificates ${PROJECT_SOURCE_DIR}/validation/campaign
      ${PROJECT_SOURCE_DIR}/validation/corpus ${PROJECT_SOURCE_DIR}/validation/diagnose ${PROJECT_SOURCE_DIR}/validation/bench/run
+     ${PROJECT_SOURCE_DIR}/validation/foreign
      ${PROJECT_SOURCE_DIR}/validation/dxf ${PROJECT_SOURCE_DIR}/validation/mutate ${PROJECT_SOURCE_DIR}/validation/svg ${PROJECT_SOURCE_DIR}/validation/formats
      ${PROJECT_SOURCE_DIR}/validation/fuzz/run)
 add_test(NAME "scripts: shellcheck finds nothing" COMMAND shellcheck ${shell_scripts})

@@ -157,7 +157,7 @@ std::vector<Row> with_simpler_numbers(std::vector<Row> all, const Fails& fails) 
 
 }  // namespace
 
-SegmentSet minimised(SegmentSet input, const Fails& fails) {
+SegmentSet minimised(const SegmentSet& input, const Fails& fails) {
   std::vector<Row> all = with_fewer_rows(rows_of(input), fails);
   all = with_simpler_numbers(std::move(all), fails);
   return set_of(with_fewer_rows(std::move(all), fails));

@@ -13,7 +13,7 @@ using Fails = std::function<bool(const plumbline::SegmentSet&)>;
 /// and Hildebrandt, "Simplifying and isolating failure-inducing input", 2002) and whose coordinates
 /// have few digits: none can be replaced, everywhere it occurs, by one of the simpler numbers that
 /// are tried. Requires: the input fails.
-plumbline::SegmentSet minimised(plumbline::SegmentSet input, const Fails& fails);
+plumbline::SegmentSet minimised(const plumbline::SegmentSet& input, const Fails& fails);
 
 /// The input that the rows of a .lines file are, "ax,ay,bx,by" per segment and "x,y" per point;
 /// blank rows and rows that begin with # are none. Throws: Error BadInput.

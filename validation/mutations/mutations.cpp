@@ -79,7 +79,7 @@ std::string false_alarm(const ExactComplex& right) {
 
 std::vector<Mutation> all() {
   std::vector<Mutation> result;
-  for (const auto* list : {&of_drawings(), &of_places(), &of_incidences()})
+  for (const auto* list : {&of_drawings(), &of_places(), &of_incidences(), &of_cells()})
     result.insert(result.end(), list->begin(), list->end());
   return result;
 }

@@ -42,8 +42,10 @@ struct Mutation {
 const std::vector<Mutation>& of_drawings();
 /// Vertices in other places, the incidences being as they were.
 const std::vector<Mutation>& of_places();
-/// Incidences that are wrong, the vertices being where they were.
+/// Cycles, faces and holes that are wrong, the vertices being where they were.
 const std::vector<Mutation>& of_incidences();
+/// Vertices and edges too many or too few, the others being where they were.
+const std::vector<Mutation>& of_cells();
 /// All of them.
 std::vector<Mutation> all();
 

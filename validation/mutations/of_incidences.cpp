@@ -1,4 +1,5 @@
-// Incidences that are wrong; every vertex stays where it was.
+// Cycles, faces and holes that are wrong; vertices and edges stay as they were, but for one edge's
+// direction.
 
 #include <algorithm>
 #include <iterator>
@@ -275,138 +276,6 @@ std::optional<Broken> turn_wrongly(Right& right) {
   return Broken{parts.complex(), 0, {broken(Invariant::CyclicOrder)}, {right.point(v)}};
 }
 
-std::optional<Broken> repeat_edge(Right& right) {
-  const EdgeId e = right.edge([](EdgeId) { return true; });
-  if (!e.valid()) return {};
-  Parts parts(*right);
-  parts.add_edge(parts.edges[e].tail, parts.edges[e].head);
-  return Broken{parts.complex(),
-                0,
-                {broken(Invariant::DuplicateEdge), {CellKind::Edge, Disagreement::Split}},
-                ends(right, e)};
-}
-
-std::optional<Broken> add_zero_edge(Right& right) {
-  const VertexId v = right.vertex([](VertexId) { return true; });
-  if (!v.valid()) return {};
-  Parts parts(*right);
-  parts.add_edge(v, v);
-  return Broken{parts.complex(), 0, {broken(Invariant::Index)}, {right.point(v)}};
-}
-
-std::optional<Broken> repeat_vertex(Right& right) {
-  const VertexId v = right.vertex([](VertexId) { return true; });
-  if (!v.valid()) return {};
-  Parts parts(*right);
-  parts.vertices.push_back(parts.vertices[v]);
-  parts.isolated[kUnbounded].emplace_back(parts.vertices.size() - 1);
-  return Broken{parts.complex(),
-                0,
-                {broken(Invariant::DuplicateVertex), {CellKind::Vertex, Disagreement::Split}},
-                {right.point(v)}};
-}
-
-/// A vertex on an edge that does not end there.
-std::optional<Broken> touch_edge(Right& right) {
-  const EdgeId e = right.edge([](EdgeId) { return true; });
-  if (!e.valid()) return {};
-  Parts parts(*right);
-  parts.vertices.push_back(right.middle(e));
-  parts.isolated[right->halfedge_face[halfedge(e, false)]].emplace_back(parts.vertices.size() - 1);
-  return Broken{parts.complex(),
-                0,
-                {broken(Invariant::VertexOnEdge), {CellKind::Vertex, Disagreement::Extra}},
-                {right.middle(e)}};
-}
-
-/// An edge through others.
-std::optional<Broken> cross_edges(Right& right) {
-  if (right->edge_count() == 0) return {};
-  constexpr int kTries = 50;
-  for (int i = 0; i < kTries; ++i) {
-    const VertexId v(right.below(right->vertices.size())), w(right.below(right->vertices.size()));
-    const EdgeId e(right.below(right->edge_count()));
-    if (v == w) continue;
-    const auto side = [&](const Segment& s, const Point& p) { return orientation(s.a, s.b, p); };
-    const Segment s{right.point(v), right.point(w)}, t{right.tail(e), right.head(e)};
-    if (side(s, t.a) * side(s, t.b) >= 0 || side(t, s.a) * side(t, s.b) >= 0) continue;
-    Parts parts(*right);
-    parts.add_edge(v, w);
-    return Broken{parts.complex(),
-                  0,
-                  {broken(Invariant::Crossing), {CellKind::Edge, Disagreement::Extra}},
-                  {s.a, s.b}};
-  }
-  return {};
-}
-
-/// Two lines that cross without a vertex.
-std::optional<Broken> forget_crossing(Right& right) {
-  const auto opposite = [&](VertexId v, HalfedgeId h) {  // the halfedge that runs on straight
-    for (std::size_t g = 0; g < 2 * right->edge_count(); ++g)
-      if (right->origin(HalfedgeId(g)) == v && edge_of(HalfedgeId(g)) != edge_of(h) &&
-          orientation(right.point(right->target(h)), right.point(v),
-                      right.point(right->target(HalfedgeId(g)))) == 0)
-        return HalfedgeId(g);
-    return HalfedgeId();
-  };
-  const auto leaving = [&](VertexId v) {
-    std::vector<HalfedgeId> result;
-    for (std::size_t g = 0; g < 2 * right->edge_count(); ++g)
-      if (right->origin(HalfedgeId(g)) == v) result.emplace_back(g);
-    return result;
-  };
-  const VertexId v = right.vertex([&](VertexId i) {
-    if (right.neighbours(i).size() != 4) return false;
-    const auto all = leaving(i);
-    return std::all_of(all.begin(), all.end(),
-                       [&](HalfedgeId h) { return opposite(i, h).valid(); });
-  });
-  if (!v.valid()) return {};
-  // In each line the edge that ends at v takes the place of both; the vertex goes.
-  Parts parts(*right);
-  std::vector<bool> is_gone(parts.edges.size());
-  for (const HalfedgeId h : leaving(v)) {
-    if (is_reversed(h)) continue;
-    const EdgeId before = edge_of(opposite(v, h));
-    parts.edges[before].head = parts.edges[edge_of(h)].head;
-    is_gone[edge_of(h)] = true;
-  }
-  std::vector<EdgeId> renumbered(parts.edges.size());
-  std::size_t count = 0;
-  for (std::size_t e = 0; e < parts.edges.size(); ++e) {
-    if (is_gone[e]) continue;
-    renumbered[e] = EdgeId(count);
-    parts.edges[count] = parts.edges[e];
-    parts.edge_sources[count++] = parts.edge_sources[e];
-  }
-  parts.edges.resize(count);
-  parts.edge_sources.resize(count);
-  std::vector<bool> is_dropped(parts.cycles.size());
-  for (std::size_t c = 0; c < parts.cycles.size(); ++c) {
-    Walk walk;
-    for (const HalfedgeId h : parts.cycles[c])
-      if (renumbered[edge_of(h)].valid())
-        walk.push_back(halfedge(renumbered[edge_of(h)], is_reversed(h)));
-    parts.cycles[c] = walk;
-    is_dropped[c] = walk.empty();
-  }
-  parts.drop_cycles(is_dropped);
-  const auto lower = [&](VertexId w) { return VertexId(w - (w > v ? 1U : 0U)); };
-  parts.vertices.erase(parts.vertices.begin() + static_cast<std::ptrdiff_t>(v));
-  for (Edge& e : parts.edges) e = {lower(e.tail), lower(e.head)};
-  for (auto& list : parts.isolated)
-    for (VertexId& w : list) w = lower(w);
-  return Broken{
-      parts.complex(),
-      0,
-      {broken(Invariant::Crossing),
-       {CellKind::Vertex, Disagreement::Missing},
-       {CellKind::Edge, Disagreement::Merged}},
-      {right.point(v), right.point(right.neighbours(v)[0]), right.point(right.neighbours(v)[1]),
-       right.point(right.neighbours(v)[2]), right.point(right.neighbours(v)[3])}};
-}
-
 }  // namespace
 
 const std::vector<Mutation>& of_incidences() {
@@ -425,12 +294,6 @@ const std::vector<Mutation>& of_incidences() {
       {"exchange outer boundary and hole", exchange_outer_and_hole},
       {"exchange the holes of two faces", exchange_holes},
       {"turn wrongly at a vertex", turn_wrongly},
-      {"repeat an edge", repeat_edge},
-      {"add an edge without length", add_zero_edge},
-      {"repeat a vertex", repeat_vertex},
-      {"touch an edge", touch_edge},
-      {"cross edges", cross_edges},
-      {"forget a crossing", forget_crossing},
   };
   return list;
 }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "foreign_cases/paths.hpp"
+
+namespace foreign {
+
+/// A geometry with its structure, which segments alone do not have. Empty rings and polygons are
+/// left out.
+struct Geometry {
+  Path points;
+  std::vector<Path> lines;
+  std::vector<Path> rings;                  ///< those that are geometries by themselves
+  std::vector<std::vector<Path>> polygons;  ///< each the rings of one polygon, its shell first
+  std::vector<Geometry> parts;
+};
+
+/// Well-known text of two dimensions. Throws: Error BadInput.
+Geometry geometry(std::string_view text);
+
+}  // namespace foreign
