@@ -8,6 +8,7 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <system_error>
 
 namespace campaign {
@@ -26,7 +27,14 @@ constexpr rlim_t kMemory = rlim_t{4} << 30U;
   setrlimit(RLIMIT_CORE, &no_core);
   signal(SIGINT, SIG_IGN);  // the parent decides when it is over
   signal(SIGTERM, SIG_DFL);
-  const std::string result = work();
+  std::string result;
+  try {
+    result = work();
+  } catch (const std::exception& error) {
+    result = std::string("throws ") + error.what();
+  } catch (...) {
+    result = "throws";
+  }
   const bool is_written =
       write(pipe, result.data(), result.size()) == static_cast<ssize_t>(result.size());
   _exit(is_written ? EXIT_SUCCESS : EXIT_FAILURE);

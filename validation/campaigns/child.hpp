@@ -20,7 +20,8 @@ class Child {
   /// Waits so long at most; whether the child has ended.
   bool ended_within(double seconds);
   void end();
-  /// What the work returned, or "crash (signal 11)" or "hang" if it was ended. Requires: it ended.
+  /// What the work returned, "throws ...", "crash (signal 11)", or "hang" if it was ended.
+  /// Requires: it has ended.
   const std::string& outcome() const { return outcome_; }
 
  private:

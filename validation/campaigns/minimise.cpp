@@ -167,7 +167,7 @@ SegmentSet from_rows(const std::string& text) {
   std::istringstream lines(text);
   std::vector<Row> all;
   for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line[0] == '#') continue;
+    if (line.empty()) continue;
     std::istringstream fields(line);
     Row row;
     for (std::string field; std::getline(fields, field, ',');) row.push_back(parse_decimal(field));

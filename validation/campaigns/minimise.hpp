@@ -15,8 +15,8 @@ using Fails = std::function<bool(const plumbline::SegmentSet&)>;
 /// are tried. Requires: the input fails.
 plumbline::SegmentSet minimised(const plumbline::SegmentSet& input, const Fails& fails);
 
-/// The input that the rows of a .lines file are, "ax,ay,bx,by" per segment and "x,y" per point;
-/// blank rows and rows that begin with # are none. Throws: Error BadInput.
+/// The input that the rows of a .lines file are, "ax,ay,bx,by" per segment and "x,y" per point.
+/// Throws: Error BadInput.
 plumbline::SegmentSet from_rows(const std::string& text);
 
 }  // namespace campaign

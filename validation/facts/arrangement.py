@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""V, E, F, C of the arrangement of the lines and rects of SVG files, for tests to hold results against.
+"""V, E, F, C of the arrangement of the lines and rects of SVG files, or of the rows of .lines files (x,y being an
+isolated point), for tests to hold results against.
 
 Usage: arrangement.py FILE...   Transforms and other elements are not read. All pairs of segments, in
 fractions over the decimals of the file; shares nothing with the project.
@@ -27,6 +28,12 @@ def segments(file):
     return [s for s in result if s[0] != s[1]]
 
 
+def rows(file):
+    numbers = [[Fraction(x) for x in row.split(",")] for row in open(file) if row.strip()]
+    lines = {tuple(sorted(((r[0], r[1]), (r[2], r[3])))) for r in numbers if len(r) == 4}
+    return [s for s in lines if s[0] != s[1]], {tuple(r) for r in numbers if len(r) == 2}
+
+
 def cross(o, a, b):
     return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])
 
@@ -48,15 +55,19 @@ def common_points(s, t):
     return found
 
 
-def counts(lines):
+def counts(lines, isolated=()):
     points = [set(s) for s in lines]
+    for x in isolated:
+        for i, s in enumerate(lines):
+            if is_on(*s, x):
+                points[i].add(x)
     for i, s in enumerate(lines):
         for j in range(i):
             for x in common_points(s, lines[j]):
                 points[i].add(x)
                 points[j].add(x)
     edges = {e for on_line in points for e in zip(sorted(on_line), sorted(on_line)[1:])}
-    root = {v: v for e in edges for v in e}
+    root = {v: v for e in edges for v in e} | {x: x for x in isolated}
 
     def find(v):
         while root[v] != v:
@@ -71,4 +82,5 @@ def counts(lines):
 
 if __name__ == "__main__":
     for name in sys.argv[1:]:
-        print(name, "V %d E %d F %d C %d" % counts(segments(name)))
+        drawn = rows(name) if name.endswith(".lines") else (segments(name), ())
+        print(name, "V %d E %d F %d C %d" % counts(*drawn))
