@@ -29,10 +29,37 @@ TEST_CASE("a JTS test file gives the lines of a and b, and what it says of them"
   REQUIRE(cases[0].claims.size() == 1);
   CHECK(cases[0].claims[0].kind == Claim::Kind::Valid);
   CHECK(cases[0].claims[0].holds);
+  CHECK(cases[0].unexamined == std::vector<std::string>{"relate"});
   CHECK(rows(cases[1]) == "0,0,1,0\n1,0,0,1\n0,1,0,0\n");
   REQUIRE(cases[1].input.rejected.size() == 1);
   CHECK(cases[1].input.rejected[0].reason == "text after a geometry");
   CHECK_FALSE(cases[1].claims.at(0).holds);
+}
+
+TEST_CASE("a JTS test of an operation on polygons gives the area of the result that it expects") {
+  const auto cases = jts_xml(R"(<run><case><a>POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))</a>
+      <b>POLYGON ((1 1, 3 1, 3 3, 1 3, 1 1))</b>
+      <test><op name="intersection" arg1="A" arg2="B">POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))</op></test>
+      <test><op name="differenceNG" arg1="B" arg2="A">
+        POLYGON ((2 1, 3 1, 3 3, 1 3, 1 2, 2 2, 2 1))</op></test>
+      <test><op name="union" arg1="A">POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))</op></test>
+    </case></run>)");
+  REQUIRE(cases.at(0).areas.size() == 2);
+  CHECK(cases[0].areas[0].area == 1);
+  CHECK(clipped_area(cases[0].input, cases[0].areas[0]).area == 1);
+  CHECK(cases[0].areas[1].area == 3);
+  CHECK(cases[0].areas[1].operation == AreaClaim::Operation::ReverseDifference);
+  CHECK(clipped_area(cases[0].input, cases[0].areas[1]).area == 3);
+  CHECK(cases[0].unexamined == std::vector<std::string>{"union"});
+}
+
+TEST_CASE("areas are those of shells less their holes") {
+  CHECK(area(geometry("POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0), (1 1, 1 2, 2 2, 1 1))")) ==
+        plumbline::Rational(17, 2));
+  CHECK(perimeter(geometry("POLYGON ((0 0, 3 0, 3 4, 0 0))")) == 12);
+  CHECK(area(geometry("GEOMETRYCOLLECTION (POINT (1 1), POLYGON ((0 0, 1 0, 0 1, 0 0)), "
+                      "MULTIPOLYGON (((0 0, 0 2, 2 0, 0 0)), EMPTY))")) ==
+        plumbline::Rational(5, 2));
 }
 
 TEST_CASE("a geometry that cannot be read is rejected, and the others are kept") {
@@ -53,14 +80,14 @@ TEST_CASE("Clipper2's text gives closed and open paths, and an area where none i
       "6,7, 6,5, 7,5\r\n");
   REQUIRE(cases.size() == 2);
   CHECK(cases[0].input.segments.size() == 8);
-  REQUIRE(cases[0].area);
-  CHECK(cases[0].area->area == 3);
-  CHECK(cases[0].area->first_clip == 4);
-  const ClippedArea found = clipped_area(cases[0].input, *cases[0].area);
+  REQUIRE(cases[0].areas.size() == 1);
+  CHECK(cases[0].areas[0].area == 3);
+  CHECK(cases[0].areas[0].first_clip == 4);
+  const ClippedArea found = clipped_area(cases[0].input, cases[0].areas[0]);
   CHECK(found.area == 3);
   CHECK(found.perimeter == Approx(8));
   CHECK(rows(cases[1]) == "6,7,6,5\n6,5,7,5\n");
-  CHECK_FALSE(cases[1].area);
+  CHECK(cases[1].areas.empty());
   CHECK_THROWS_AS(clipper2("SUBJECTS\n0,0, 1,1\n"), Error);
   CHECK_THROWS_AS(clipper2("CAPTION: 1.\nCLIPTYPE: UNION\nFILLRULE: ODD\n"), Error);
 }
@@ -72,7 +99,7 @@ TEST_CASE("boolean operations by winding numbers have the areas of elementary ge
   const auto area = [&](const std::string& operation, const std::string& rule) {
     const auto cases = clipper2("CAPTION: 1.\nCLIPTYPE: " + operation + "\nFILLRULE: " + rule +
                                 "\nSOL_AREA: 0\n" + squares);
-    return clipped_area(cases.at(0).input, cases[0].area.value()).area;
+    return clipped_area(cases.at(0).input, cases[0].areas.at(0)).area;
   };
   CHECK(area("INTERSECTION", "NONZERO") == 1);
   CHECK(area("UNION", "NONZERO") == 7);

@@ -165,6 +165,8 @@ bool is_in(bool subject, bool clip, AreaClaim::Operation operation) {
       return subject || clip;
     case AreaClaim::Operation::Difference:
       return subject && !clip;
+    case AreaClaim::Operation::ReverseDifference:
+      return clip && !subject;
     case AreaClaim::Operation::Xor:
       return subject != clip;
   }

@@ -17,11 +17,11 @@ using namespace plumbline;
 
 namespace {
 
-/// How much an area can change when all corners of its boundary are rounded to integers, each moved
-/// by half a diagonal at most: along every edge a strip, and something at every corner.
-double rounding_bound(const ClippedArea& found) {
-  const double moved = std::sqrt(0.5);
-  return moved * (found.perimeter + moved * static_cast<double>(found.edges));
+/// How much an area can change when each corner of a boundary moves by as much as the claim says:
+/// along every edge a strip, and something at every corner.
+double rounding_bound(const ClippedArea& found, const AreaClaim& claim) {
+  const double length = std::max(found.perimeter, claim.perimeter);
+  return claim.rounding * (length + claim.rounding * static_cast<double>(found.edges));
 }
 
 void examine_complex(Row& row, const SegmentSet& input) {
@@ -57,15 +57,15 @@ void examine_claim(Row& row, const Case& one, const Claim& claim) {
                                          claim.kind == Claim::Kind::Valid ? "valid" : "simple"));
 }
 
-void examine_area(Row& row, const Case& one) {
+void examine_area(Row& row, const Case& one, const AreaClaim& claim) {
   ++row.claims;
-  const ClippedArea found = clipped_area(one.input, *one.area);
-  const double area = nearest_double(found.area), said = nearest_double(one.area->area);
-  const double difference = std::abs(area - said);
+  const ClippedArea found = clipped_area(one.input, claim);
+  const double area = nearest_double(found.area), said = nearest_double(claim.area);
+  const double difference = nearest_double(abs(found.area - claim.area));
   const auto text = [&] {
     return fmt::format("{}: said to have area {}, has {}", one.name, said, area);
   };
-  if (difference > rounding_bound(found)) {
+  if (difference > rounding_bound(found, claim)) {
     row.contradicted.push_back(text());
   } else if (constexpr double kWorthNaming = 0.01; difference > kWorthNaming * area) {
     row.differ_by_rounding.push_back(text());
@@ -86,7 +86,8 @@ Row examined(const std::filesystem::path& file, const std::string& name) {
       for (const Rejected& rejected : one.input.rejected) ++row.rejected_by_reason[rejected.reason];
       examine_complex(row, one.input);
       for (const Claim& claim : one.claims) examine_claim(row, one, claim);
-      if (one.area) examine_area(row, one);
+      for (const AreaClaim& claim : one.areas) examine_area(row, one, claim);
+      for (const std::string& operation : one.unexamined) ++row.unexamined[operation];
     }
   } catch (const Error& error) {
     row.error = error.what();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,22 +18,25 @@ struct Claim {
   bool holds;
 };
 
-/// The area that a file says a boolean operation on closed paths has.
+/// The area that a boolean operation on closed paths has by a file, which gives it or the result.
 struct AreaClaim {
   enum class Rule { EvenOdd, NonZero, Positive, Negative };
-  enum class Operation { Intersection, Union, Difference, Xor };
+  enum class Operation { Intersection, Union, Difference, ReverseDifference, Xor };
   Rule rule;
   Operation operation;
   /// Of the case's segments, those before it are the subject's, those from here on the clip's.
   std::size_t first_clip;
   plumbline::Rational area;
+  double rounding;   ///< how far the corners of that result may be from where they belong
+  double perimeter;  ///< of that result, if it is given; else 0
 };
 
 struct Case {
   std::string name;
   plumbline::SegmentSet input;  ///< with what could not be drawn in `rejected`
   std::vector<Claim> claims;
-  std::optional<AreaClaim> area;
+  std::vector<AreaClaim> areas;
+  std::vector<std::string> unexamined;  ///< operations whose outcomes are not looked at
 };
 
 /// JTS and GEOS test files: per `case` the geometries a and b, as well-known text or hexadecimal

@@ -10,7 +10,7 @@ std::vector<Case> read_file(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   const auto ends = [&](const char* ending) { return name.ends_with(ending); };
   if (ends(".geojson") || ends(".wkt") || ends(".wkb"))
-    return {{"", plumbline::evaluate(plumbline::read(file)), {}, {}}};
+    return {{"", plumbline::evaluate(plumbline::read(file)), {}, {}, {}}};
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) {

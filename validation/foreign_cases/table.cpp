@@ -47,6 +47,7 @@ Row sum(const std::vector<Row>& rows) {
                             row.contradicted.end());
     for (const auto& [reason, count] : row.rejected_by_reason)
       all.rejected_by_reason[reason] += count;
+    for (const auto& [operation, count] : row.unexamined) all.unexamined[operation] += count;
   }
   return all;
 }
@@ -81,6 +82,9 @@ std::string table(const std::vector<Row>& rows) {
   for (const Row& row : rows)
     for (const std::string& claim : row.differ_by_rounding)
       text += fmt::format("- {}: {}\n", row.file, shown(claim));
+  text += "\n## Operations whose outcomes are not looked at\n\n";
+  for (const auto& [operation, count] : all.unexamined)
+    text += fmt::format("- {}: {}\n", shown(operation), count);
   text += "\n## Rejected items\n\n| reason | items | in |\n| --- | ---: | --- |\n";
   for (const auto& [reason, count] : all.rejected_by_reason) {
     const auto where = std::find_if(rows.begin(), rows.end(), [&r = reason](const Row& row) {

@@ -21,6 +21,7 @@ struct Row {
   /// Claims of an area that hold, since their corners were rounded, and are off by a hundredth.
   std::vector<std::string> differ_by_rounding;
   std::map<std::string, std::size_t> rejected_by_reason;
+  std::map<std::string, std::size_t> unexamined;  ///< operations, by name
 
   bool is_right() const {
     return engines_differ + invariants_broken + refused + relations_broken == 0;

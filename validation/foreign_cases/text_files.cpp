@@ -1,6 +1,8 @@
 // The text formats of Clipper2, CDT and poly2tri.
 
+#include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "foreign_cases/foreign.hpp"
@@ -53,10 +55,13 @@ struct Clipping {
                                             {"DIFFERENCE", Operation::Difference},
                                             {"XOR", Operation::Xor}},
                                            operation),
-                          first_clip, area};
+                          first_clip,
+                          area,
+                          std::sqrt(0.5),
+                          0};  // to integers
     for (const Path& path : open) add_open(one.input, path);
     // Of open paths the file gives no length; and -1 stands for an area that nobody knows.
-    if (open.empty() && area >= 0) one.area = claim;
+    if (open.empty() && area >= 0) one.areas.push_back(claim);
     return one;
   }
 };

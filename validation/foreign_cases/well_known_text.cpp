@@ -112,7 +112,36 @@ class Parser {
   std::string_view rest_;
 };
 
+Rational area(const Path& ring) {
+  Rational twice = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    twice += p.x * q.y - p.y * q.x;
+  }
+  return abs(twice) / 2;
+}
+
 }  // namespace
+
+Rational area(const Geometry& geometry) {
+  Rational sum = 0;
+  for (const std::vector<Path>& rings : geometry.polygons) {
+    sum += area(rings[0]);
+    for (std::size_t i = 1; i < rings.size(); ++i) sum -= area(rings[i]);
+  }
+  for (const Geometry& part : geometry.parts) sum += area(part);
+  return sum;
+}
+
+double perimeter(const Geometry& geometry) {
+  double sum = 0;
+  for (const std::vector<Path>& rings : geometry.polygons)
+    for (const Path& ring : rings)
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        sum += nearest_sqrt(squared_distance(ring[i], ring[(i + 1) % ring.size()]));
+  for (const Geometry& part : geometry.parts) sum += perimeter(part);
+  return sum;
+}
 
 Geometry geometry(std::string_view text) { return Parser(text).whole(); }
 

@@ -17,6 +17,11 @@ struct Geometry {
   std::vector<Geometry> parts;
 };
 
+/// The area of all polygons, by their shells less their holes. **Exact**.
+plumbline::Rational area(const Geometry& geometry);
+/// The length of their rings. **Rounded**.
+double perimeter(const Geometry& geometry);
+
 /// Well-known text of two dimensions. Throws: Error BadInput.
 Geometry geometry(std::string_view text);
 
