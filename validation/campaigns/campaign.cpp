@@ -170,6 +170,7 @@ Summary run(const Plan& plan, const Amount& amount) {
     print(plan, summary.failures.back());
     if (summary.failures.size() == kMostFailures) break;
   }
+  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r");
   summary.families.assign(
       board->families.begin(),
       board->families.begin() + static_cast<std::ptrdiff_t>(plan.families.size()));

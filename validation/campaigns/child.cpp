@@ -25,8 +25,7 @@ constexpr rlim_t kMemory = rlim_t{4} << 30U;
   const rlimit memory{kMemory, kMemory}, no_core{0, 0};
   setrlimit(RLIMIT_AS, &memory);
   setrlimit(RLIMIT_CORE, &no_core);
-  signal(SIGINT, SIG_IGN);  // the parent decides when it is over
-  signal(SIGTERM, SIG_DFL);
+  for (const int number : {SIGINT, SIGTERM}) signal(number, SIG_IGN);  // the parent decides
   std::string result;
   try {
     result = work();
