@@ -144,8 +144,8 @@ class Campaign {
         show(fmt::format("{} {}: a right certificate", family, seed), report(verdict));
       }
       Random random(seed);
-      for (std::size_t i = 0; i < kDamagesPerInput && done < count; ++i, ++done) {
-        damage(right, fmt::format("{} {} {}", family, seed, i), random);
+      for (std::size_t i = 0; i < kDamagesPerInput && done < count; ++i) {
+        done += damage(right, fmt::format("{} {} {}", family, seed, i), random) ? 1 : 0;
       }
     }
   }
@@ -166,7 +166,8 @@ class Campaign {
   }
 
  private:
-  void damage(const Right& right, const std::string& name, Random& random) {
+  /// Whether it changed anything.
+  bool damage(const Right& right, const std::string& name, Random& random) {
     const auto& kinds = certificate_damage::kinds();
     const std::size_t k = below(random, kinds.size() + 1);
     const std::string kind = k < kinds.size() ? kinds[k].name : "of a slightly different input";
@@ -188,6 +189,7 @@ class Campaign {
       ++tally.wrong;
       show(name + ", " + kind, right.input + text);
     }
+    return text != right.certificate;
   }
 
   static std::string without_numbers(const std::string& reason) {
