@@ -2,7 +2,9 @@
 
 #include "input.hpp"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 

@@ -2,9 +2,10 @@
 
 #include "number.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace plumbline_verify {
 namespace {

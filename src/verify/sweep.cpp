@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "steps.hpp"
 
@@ -93,8 +95,9 @@ class PlaneSweep {
     for (Index item = 0; item < certificate_.inside.size(); ++item) {
       const Point& p = certificate_.inside[item];
       const auto found = std::lower_bound(vertices.begin(), vertices.end(), p, before);
-      if (found != vertices.end() && *found == p)
+      if (found != vertices.end() && *found == p) {
         certificate_.refuse_inside(item + 1, "is a vertex");
+      }
       inside_.push_back({static_cast<Index>(found - vertices.begin()), item});
     }
     std::sort(inside_.begin(), inside_.end(), [](const Inside& a, const Inside& b) {
@@ -107,9 +110,10 @@ class PlaneSweep {
     const Place above = status_.lower_bound(p);
     const bool is_between = (above == status_.end() || side(line(*above), p) < 0) &&
                             (above == status_.begin() || side(line(*std::prev(above)), p) > 0);
-    if (!is_between)
+    if (!is_between) {
       certificate_.refuse_inside(inside.item + 1,
                                  "lies on an edge, or edges cross to the left of it");
+    }
     if (above != status_.begin()) result_.below_inside[inside.item] = *std::prev(above);
   }
 
