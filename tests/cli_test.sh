@@ -4,37 +4,8 @@
 set -uo pipefail
 plumbline=$1
 examples=$2
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 2
-failures=0
-
-# expect NAME EXIT-CODE PATTERN COMMAND...: the command's output (both streams) matches the pattern.
-expect() {
-  local name=$1 code=$2 pattern=$3 output status=0
-  shift 3
-  output=$("$@" 2>&1) || status=$?
-  if [[ $status == "$code" && $output =~ $pattern ]]; then
-    echo "ok: $name"
-  else
-    echo "FAILED: $name: exit $status, expected $code; output, expected /$pattern/:"
-    echo "$output" | head -20
-    failures=$((failures + 1))
-  fi
-}
-# leaves NAME FILE...: exactly these files are in the directory.
-leaves() {
-  local name=$1
-  shift
-  if [[ $(ls -A) == "$(printf '%s\n' "$@")" ]]; then
-    echo "ok: $name"
-  else
-    echo "FAILED: $name: found:" ./*
-    failures=$((failures + 1))
-  fi
-  rm -rf ./*
-}
-svg() { printf '<svg xmlns="http://www.w3.org/2000/svg">\n%s\n</svg>\n' "$1"; }
+# shellcheck source-path=SCRIPTDIR source=support/expect.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/expect.sh"
 
 expect "help shows the commands and an example" 0 'arrange.*check.*info' "$plumbline" --help
 expect "each command's help has an example" 0 'plumbline check plan.svg --radius' "$plumbline" check --help
@@ -131,7 +102,7 @@ expect "of as many segments" 0 '100 segments, 0 rejected' "$plumbline" lar r.lin
 "$plumbline" random 100 --scaling 0.5 --seed 4 >printed
 expect "the same seed prints the same rows" 0 '' cmp printed r.lines
 rm -f printed 1.json 2.json r.lines
-expect "a scaling must be finite" 2 'scaling.*"inf"' "$plumbline" random 1 --scaling inf
+expect "a scaling must be finite" 2 'scaling.*inf' "$plumbline" random 1 --scaling inf
 expect "random segments go to a .lines file" 2 'lines' "$plumbline" random 1 -o r.svg
 structures=$examples/../structures
 expect "a structure is evaluated" 0 'instances +500.*dimension +2.*vertices +2000.cells +500' "$plumbline" eval "$structures/tables.json" -o t.json
@@ -166,5 +137,4 @@ fi
 "$plumbline" check "$examples/office-plan.svg" -o b.json --picture b.svg >/dev/null
 expect "the same input gives the same bytes" 0 '^$' bash -c 'cmp a.json b.json && cmp a.svg b.svg'
 leaves "nothing else was written" a.json a.svg b.json b.svg c.lines
-echo "$failures failed"
-exit $((failures > 0))
+finish

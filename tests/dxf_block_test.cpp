@@ -176,7 +176,7 @@ TEST_CASE("blocks that double at each level are refused by their size, not follo
     tower.push_back("B" + std::to_string(i) + " " + below + " " + below);
   }
   const auto structure = read_dxf(dxf_with("0 INSERT 2 B63 10 0 20 0", blocks(tower)), "a.dxf");
-  CHECK_THROWS_AS(evaluate(structure, 10'000), plumbline::Error);
+  CHECK_THROWS_AS(evaluate(structure, {10'000}), plumbline::Error);
 }
 
 TEST_CASE("a chain of 20,000 blocks is followed without recursion") {

@@ -6,7 +6,8 @@ cmake_minimum_required(VERSION 3.25)
 function(layer name)
   set(may_${name} ${name} ${ARGN} PARENT_SCOPE)
 endfunction()
-layer(error)
+layer(text)                                               # a header of src/error
+layer(error       text)
 layer(number      error)
 layer(iterator)
 layer(source      iterator)
@@ -30,7 +31,7 @@ layer(crosscheck  error number geometry structure read complex boundary arrange 
 layer(ladder      error number geometry complex arrange)
 layer(diagnose    error number geometry complex arrange)
 layer(check       ${may_crosscheck} ladder result polygons)
-layer(write       ${may_check} diagnose triangulate round)
+layer(write       text ${may_check} diagnose triangulate round)
 layer(certificate error number geometry complex)
 layer(report      ${may_write})
 layer(plumbline   ${may_report} certificate polygons result)                         # the umbrella header

@@ -144,6 +144,36 @@ TEST_CASE("a file is read by its ending, in either case") {
   CHECK(error.offending_text() == ".dwg");
 }
 
+TEST_CASE("formats are read up to the number of segments that is allowed, and no further") {
+  const Scratch scratch;
+  plumbline::ReadOptions options;
+  for (const auto& [name, content] :
+       {std::pair("a.wkt", "LINESTRING (0 0, 1 1, 2 0, 3 0)"),
+        std::pair("a.csv", "0,0,1,1\n1,1,2,0\n2,0,3,0\n"),
+        std::pair("a.geojson",
+                  R"({"type": "LineString", "coordinates": [[0, 0], [1, 1], [2, 0], [3, 0]]})"),
+        std::pair("a.json",
+                  R"({"V": [[0, 0], [1, 1], [2, 0]], "EV": [[0, 1], [1, 2], [2, 0]]})")}) {
+    const fs::path file = scratch.file(name, content);
+    options.max_segments = 3;
+    CHECK(evaluate(read(file, options)).segments.size() == 3);
+    options.max_segments = 2;
+    CHECK_THROWS_WITH(read(file, options), "more than 2 segments");
+  }
+  // Curves, too: a circle has at least 4 chords.
+  const fs::path circle = scratch.file("a.svg", "<svg><circle r='1'/></svg>");
+  CHECK_THROWS_WITH(read(circle, options), Catch::Contains("too many chords"));
+}
+
+TEST_CASE("a file without a size is read to its end, and one that fails is an error") {
+  if (!fs::exists("/proc/self/mem")) return;  // not Linux
+  const Scratch scratch;
+  fs::create_symlink("/proc/self/status", scratch.folder() / "a.lines");
+  CHECK(evaluate(read(scratch.folder() / "a.lines")).rejected.size() > 10);
+  fs::create_symlink("/proc/self/mem", scratch.folder() / "b.lines");
+  CHECK(error_of(scratch.folder() / "b.lines").message() == "cannot be read");
+}
+
 TEST_CASE("a JSON file is read by what its members tell, wherever they stand") {
   const Scratch scratch;
   const auto segments = [&](const std::string& content) {

@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 #include <set>
 
+#include "plumbline/text.hpp"
 #include "report/finding_labels.hpp"
 #include "support/checks.hpp"
 #include "write/escape.hpp"

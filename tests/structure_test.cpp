@@ -196,11 +196,32 @@ TEST_CASE("structures that multiply beyond the limit are refused, up to it they 
   doubling.back().body = {model("0 0, 1 0")};
   CHECK(instance_count(structure_of(doubling)) == std::uint64_t{1} << 40U);
   CHECK(box(structure_of(doubling))->high[0].rational() == 1);
-  CHECK_THROWS_AS(evaluate(structure_of(doubling), 10'000'000), plumbline::Error);
+  CHECK_THROWS_AS(evaluate(structure_of(doubling), {10'000'000}), plumbline::Error);
   // One item, and four integer coordinates of which one is 0: numerator and denominator each.
   const auto one = structure_of({{"", "", {model("1 1, 0 2")}}});
-  CHECK_NOTHROW(evaluate(one, 1 + 7));
-  CHECK_THROWS_AS(evaluate(one, 1 + 6), plumbline::Error);
+  CHECK_NOTHROW(evaluate(one, {1 + 7}));
+  CHECK_THROWS_AS(evaluate(one, {1 + 6}), plumbline::Error);
+}
+
+TEST_CASE("more segments than allowed are refused before they are made, just as many are not") {
+  std::vector<Struct> doubling(41);
+  for (std::size_t i = 0; i < 40; ++i) doubling[i].body = {StructId(i + 1), StructId(i + 1)};
+  doubling.back().body = {model("0 0, 1 0")};
+  plumbline::EvaluateOptions options;
+  options.max_segments = 1000;
+  CHECK_THROWS_WITH(evaluate(structure_of(doubling), options), "more than 1000 segments");
+  plumbline::ToLarOptions to_lar;
+  to_lar.max_cells = 1000;
+  CHECK_THROWS_WITH(struct_to_lar(structure_of(doubling), to_lar),
+                    "more than 1000 segments or cells");
+  const auto four = structure_of(
+      {{"", "", {StructId(1), StructId(1)}}, {"", "", {model("0 0, 1 0"), model("0 0, 0 1")}}});
+  options.max_segments = to_lar.max_cells = 4;
+  CHECK(evaluate(four, options).segments.size() == 4);
+  CHECK_NOTHROW(struct_to_lar(four, to_lar));
+  options.max_segments = to_lar.max_cells = 3;
+  CHECK_THROWS_AS(evaluate(four, options), plumbline::Error);
+  CHECK_THROWS_AS(struct_to_lar(four, to_lar), plumbline::Error);
 }
 
 TEST_CASE("nested maps that make monstrous numbers are refused") {

@@ -100,7 +100,7 @@ TEST_CASE("references that multiply are refused, not followed for ever") {
     doubling += "<g id='d" + std::to_string(i) + "'>" + use + use + "</g>";
   }
   const Structure s = structure(doubling + "</defs><use href='#d40'/>");
-  CHECK_THROWS_AS(evaluate(s, 100'000), Error);
+  CHECK_THROWS_AS(evaluate(s, {100'000}), Error);
   // Each level makes two viewports of one.
   std::string halving = "<defs><line id='h0' x2='1%'/>";
   for (int i = 1; i <= 40; ++i) {

@@ -126,6 +126,48 @@ TEST_CASE("a link stays a link") {
   CHECK(content(directory.path / "target") == "two");
 }
 
+TEST_CASE("a new file has a temporary of its own until it is committed or given up") {
+  const Directory directory;
+  const fs::path file = directory.path / "a.json";
+  write_file(file, "old");
+  {
+    NewFile first(file), second(file);
+    CHECK(first.temporary() != second.temporary());
+    first.write("fir");
+    second.write("second");
+    first.write("st");
+    CHECK(content(file) == "old");
+    second.commit();
+    CHECK(content(file) == "second");
+    first.commit();
+    CHECK(content(file) == "first");
+    NewFile given_up(file);
+    given_up.write("third");
+    CHECK(directory.files() == 2);
+  }
+  CHECK(content(file) == "first");
+  CHECK(directory.files() == 1);
+}
+
+TEST_CASE("a link to nothing leads to the file that it names, and a loop of links nowhere") {
+  const Directory directory;
+  fs::create_symlink("target", directory.path / "link");
+  write_file(directory.path / "link", "one");
+  CHECK(fs::is_symlink(directory.path / "link"));
+  CHECK(content(directory.path / "target") == "one");
+  fs::create_symlink("loop", directory.path / "loop");
+  CHECK_THROWS_AS(write_file(directory.path / "loop", "one"), Error);
+  CHECK(directory.files() == 3);
+}
+
+TEST_CASE("what is replaced keeps its permissions") {
+  const Directory directory;
+  write_file(directory.path / "a", "one");
+  fs::permissions(directory.path / "a", fs::perms(0640));
+  write_file(directory.path / "a", "two");
+  CHECK(fs::status(directory.path / "a").permissions() == fs::perms(0640));
+}
+
 TEST_CASE("a file that cannot be written is an error, and nothing is left") {
   const Directory directory;
   CHECK_THROWS_AS(write_file(directory.path, "text"), Error);

@@ -23,6 +23,10 @@ struct ReadOptions {
   double angle_bound = kAngleBound;
   /// Whether elements that the drawing hides are `rejected`; else they are drawn.
   bool visible_only = false;
+  /// Largest number of segments that formats without hierarchy may have, and of the chords of all
+  /// curves; beyond it reading ends with Error Limit. What they become where shared Structs are
+  /// repeated is limited by `evaluate`.
+  std::size_t max_segments = kAnyNumber;
 };
 
 /// The drawing in a file, every number exact. The format is told by the file name's ending, in

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,11 +89,21 @@ class Traversal {
 /// that they are visited.
 inline constexpr std::size_t kMaxEvaluatedWords = std::size_t{1} << 28U;
 
+/// A limit on the number of something that there is not.
+inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
+
+/// How large a result of `evaluate` may be.
+struct EvaluateOptions {
+  std::size_t max_words = kMaxEvaluatedWords;
+  std::size_t max_segments = kAnyNumber;
+};
+
 /// The segments of all models of a structure in the plane, in traversal order, each model with a
 /// Source of its own whose path is that of the Traversal. A LarModel gives its `edges`. **Exact**.
 /// Zero-length segments and cells that can't be drawn go to `rejected`. Throws: as Traversal; Error
-/// BadInput for a structure of another dimension than 2; Limit beyond `max_words`.
-SegmentSet evaluate(const Structure& structure, std::size_t max_words = kMaxEvaluatedWords);
+/// BadInput for a structure of another dimension than 2; Limit beyond the options, which is told
+/// before the result has grown that far.
+SegmentSet evaluate(const Structure& structure, const EvaluateOptions& options = {});
 
 /// How `struct_to_lar` identifies vertices and cells.
 struct ToLarOptions {
@@ -102,14 +113,16 @@ struct ToLarOptions {
   /// Whether cells of the same vertices, in any order, are kept once, the first of them (larstruct
   /// since November 2015), or each time.
   bool merge_cells = false;
+  /// Largest number of cells, repeated ones counted too.
+  std::size_t max_cells = kAnyNumber;
 };
 
 /// The whole structure as one model: vertices that cells use, in the order of first use; cells in
 /// traversal order, each with its vertices in the order given. First arrays go to the first array
 /// and so on; segments, and models of nothing but edges, to the last; there are as many as the
 /// model with the most has. **Exact** unless decimals are given. Degenerate: the empty structure
-/// gives an empty model of dimension 2. Throws: as Traversal; Limit beyond `max_words`. Source:
-/// struct2lar (larstruct 2015, 3.1).
+/// gives an empty model of dimension 2. Throws: as Traversal; Limit beyond `max_words` and the
+/// options' cells. Source: struct2lar (larstruct 2015, 3.1).
 LarModel struct_to_lar(const Structure& structure, const ToLarOptions& options = {},
                        std::size_t max_words = kMaxEvaluatedWords);
 

@@ -6,6 +6,7 @@
 
 #include "cli/options.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -19,8 +20,9 @@ constexpr const char* kDescription =
     "  plumbline eval table.json -o table.svg\n"
     "  plumbline random 5000 -o random.lines\n";
 constexpr const char* kExitCodes =
-    "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input or usage, 3 "
-    "internal.";
+    "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input or usage, or a "
+    "limit (--max-segments, --max-memory, --timeout), 3 internal; 130 after Ctrl-C, 143 after "
+    "SIGTERM. However it ends, an output file is whole or not there.";
 
 /// CLI11 would only say that a command is required.
 void refuse_unknown_command(const std::vector<std::string>& arguments) {
@@ -31,6 +33,13 @@ void refuse_unknown_command(const std::vector<std::string>& arguments) {
   throw Error(ErrorCode::BadInput,
               "unknown command (the commands are arrange, check, eval, info, lar, random)", {},
               command);
+}
+
+/// Arguments are shown as they are, but for what a terminal would obey.
+std::string shown(const std::string& text) {
+  std::string result, line;
+  for (std::istringstream lines(text); std::getline(lines, line);) result += line_text(line) + '\n';
+  return result;
 }
 
 /// The arguments of the command that was called.
@@ -70,7 +79,7 @@ std::variant<Command, Told> parse(const std::vector<std::string>& arguments) {
   } catch (const CLI::ParseError& error) {
     std::ostringstream out, err;
     const bool is_error = app.exit(error, out, err) != 0;
-    return Told{is_error ? err.str() : out.str(), is_error};
+    return Told{is_error ? shown(err.str()) : out.str(), is_error};
   }
   return called(arrange_command, check_command, info_command, lar_command, eval_command,
                 random_command);

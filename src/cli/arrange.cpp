@@ -11,7 +11,7 @@ namespace {
 
 void write_certificate(const ArrangeArguments& arguments, const Drawing& drawing) {
   write_file(*arguments.certificate, certificate(drawing.complex, drawing.input));
-  fmt::print("wrote {}\n", *arguments.certificate);
+  print_written(*arguments.certificate);
   // The checker reads nothing but rows of four numbers.
   const bool is_plain = ending(arguments.file) == ".lines" && drawing.input.rejected.empty();
   const std::string lines = is_plain ? arguments.file : "segments.lines";
@@ -34,7 +34,7 @@ ExitCode run(const ArrangeArguments& arguments) {
     write_file(*arguments.output, ending(*arguments.output) == ".json"
                                       ? to_json(drawing.complex, drawing.input)
                                       : to_svg(drawing.complex, drawing.input.y_up));
-    fmt::print("wrote {}\n", *arguments.output);
+    print_written(*arguments.output);
   }
   if (arguments.certificate) write_certificate(arguments, drawing);
   return kAgree;

@@ -14,11 +14,24 @@ namespace plumbline::cli {
 /// Exit codes of every command.
 enum ExitCode { kAgree = 0, kDisagree = 1, kBadInput = 2, kInternal = 3 };
 
+/// When to give up.
+struct Limits {
+  std::optional<std::uint64_t> bytes;  ///< of memory
+  std::string memory;                  ///< the same, as it was said
+  std::optional<double> seconds;
+};
+
 /// What every command reads, and how.
 struct InputArguments {
   std::string file;
   ReadOptions reading;
+  Limits limits;
 };
+
+/// How large it may become.
+inline EvaluateOptions limits_of(const InputArguments& arguments) {
+  return {kMaxEvaluatedWords, arguments.reading.max_segments};
+}
 
 /// How it is arranged.
 struct DrawingArguments : InputArguments {
@@ -83,6 +96,7 @@ struct EvalArguments : InputArguments {
 inline constexpr std::size_t kMostRandomSegments = 10'000'000;
 
 struct RandomArguments {
+  Limits limits;
   std::size_t count = 0;
   double scaling = 0.1;
   std::uint64_t seed = 1;

@@ -48,6 +48,7 @@ void add_variant_options(CLI::App& command, CheckArguments& arguments) {
   command
       .add_option("--decimals", arguments.decimals,
                   "Decimals of the published variant's coordinates and parameters [default: 4]")
+      ->check(integer(0))
       ->type_name("N");
   CLI::Option* unit_square =
       command.add_flag("--unit-square", arguments.unit_square,
@@ -65,6 +66,7 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
           "Float LAR merges vertices no further apart than this, in drawing units "
           "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate; "
           "of the published variant 0.001]")
+      ->check(finite())
       ->type_name("R");
   command
       .add_option(
@@ -79,8 +81,10 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
                   "Vertices match within this distance, in drawing units [default: the radius; "
                   "with --against 1e-9 x the drawing's longer side, at least 2^-46 x its largest "
                   "coordinate]")
+      ->check(finite())
       ->type_name("T");
   command.add_option("--list", arguments.listed, "Print at most so many findings [default: 4]")
+      ->check(integer(0))
       ->type_name("N");
   command.add_option("-o,--output", arguments.output, "Write all findings to a JSON file")
       ->type_name("FILE");

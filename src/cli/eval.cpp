@@ -115,7 +115,8 @@ ExitCode run(const EvalArguments& arguments) {
   std::swap(report.files, structure.files);
   std::swap(report.rejected, structure.rejected);
   std::swap(report.ledger, structure.ledger);
-  LarModel model = struct_to_lar(structure, {arguments.decimals, arguments.merge_cells});
+  LarModel model = struct_to_lar(
+      structure, {arguments.decimals, arguments.merge_cells, arguments.reading.max_segments});
   if (arguments.boundary) {
     model = boundary(model);
     structure = structure_of(model, structure.y_up);
@@ -143,7 +144,7 @@ ExitCode run(const EvalArguments& arguments) {
   } else {
     write_file(*arguments.output, to_json(model));
   }
-  fmt::print("wrote {}\n", *arguments.output);
+  print_written(*arguments.output);
   return kAgree;
 }
 

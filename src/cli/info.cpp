@@ -11,6 +11,7 @@
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
+#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -96,7 +97,7 @@ ExitCode run(const InfoArguments& arguments) {
       arguments.file,
       {{arguments.plot, {".svg"}}, {arguments.output, {".json"}}, {arguments.picture, {".svg"}}});
   const Drawing drawing = load(arguments);
-  fmt::print("drawing      {}: {} elements, {} segments, {} rejected\n", arguments.file,
+  fmt::print("drawing      {}: {} elements, {} segments, {} rejected\n", line_text(arguments.file),
              drawing.input.sources.size(), drawing.input.segments.size(),
              drawing.input.rejected.size());
   fmt::print("{}", rejected_lines(drawing.input));

@@ -1,5 +1,8 @@
 // The options that several commands have.
 
+#include <charconv>
+#include <cmath>
+
 #include "cli/options.hpp"
 #include "plumbline/error.hpp"
 
@@ -9,7 +12,64 @@ namespace {
 constexpr const char* kFile =
     "A drawing: .svg, .svgz, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv";
 
+/// A number of bytes: "512M", "4G", "1.5GiB"; powers of 1024.
+std::uint64_t bytes(const std::string& size) {
+  std::string number = size;
+  const bool is_negative = size.find('-') != size.npos;
+  const std::string wrong = CLI::AsSizeValue(false)(number);
+  std::uint64_t result = 0;
+  if (is_negative || !wrong.empty() || !CLI::detail::lexical_cast(number, result) || result == 0) {
+    throw Error(ErrorCode::BadInput, "not a size, as 500M or 4G", {}, size);
+  }
+  return result;
+}
+
+double seconds(const std::string& text) {
+  constexpr double kMost = 1e9;  // three decades
+  double result = 0;
+  if (CLI::detail::lexical_cast(text, result) && result > 0 && result <= kMost) return result;
+  throw Error(ErrorCode::BadInput, "not a positive number of seconds, at most 1e9", {}, text);
+}
+
 }  // namespace
+
+CLI::Validator integer(std::int64_t least) {
+  const auto refuse = [least](const std::string& text) {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_integer = error == std::errc() && end == text.data() + text.size();
+    if (is_integer && value >= least) return std::string();
+    return "not an integer" + (least == 0 ? " of 0 or more" : std::string()) + ": " + text;
+  };
+  return {refuse, ""};
+}
+
+CLI::Validator finite() {
+  const auto refuse = [](const std::string& text) {
+    double value = 0;
+    const bool is_finite = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    return is_finite ? std::string() : "not a finite number: " + text;
+  };
+  return {refuse, ""};
+}
+
+void add_limits(CLI::App& command, Limits& limits) {
+  command
+      .add_option_function<std::string>(
+          "--max-memory",
+          [&](const std::string& size) {
+            limits.bytes = bytes(size);
+            limits.memory = size;
+          },
+          "Give up, with exit code 2, where more memory would be needed; 500M, 4G [default: what "
+          "there is]")
+      ->type_name("SIZE");
+  command
+      .add_option_function<std::string>(
+          "--timeout", [&](const std::string& text) { limits.seconds = seconds(text); },
+          "Give up after so long, with exit code 2 [default: never]")
+      ->type_name("SECONDS");
+}
 
 void add_input(CLI::App& command, InputArguments& arguments, const char* file) {
   command.add_option("FILE", arguments.file, file == nullptr ? kFile : file)
@@ -30,10 +90,17 @@ void add_input(CLI::App& command, InputArguments& arguments, const char* file) {
   command
       .add_option("--angle", arguments.reading.angle_bound,
                   "Rotations become rational ones, their angles within this [default: 1e-15]")
-      ->check(CLI::PositiveNumber)
+      ->check(finite() & CLI::PositiveNumber)
       ->type_name("RADIANS");
   command.add_flag("--visible", arguments.reading.visible_only,
                    "Leave out, and list, what the drawing hides; else it is drawn");
+  command
+      .add_option("--max-segments", arguments.reading.max_segments,
+                  "Give up, with exit code 2, where the drawing has more segments (eval: segments "
+                  "or cells), repetitions of what is stored once counted [default: any number]")
+      ->check(integer(0))
+      ->type_name("N");
+  add_limits(command, arguments.limits);
 }
 
 void add_threads(CLI::App& command, std::size_t& threads) {

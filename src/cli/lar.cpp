@@ -6,6 +6,7 @@
 #include "cli/progress.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/plumbline.hpp"
+#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -86,7 +87,7 @@ void write_outputs(const LarArguments& arguments, const SegmentSet& input, const
   if (arguments.output) write_file(*arguments.output, to_svg(result, picture));
   print(result);
   for (const auto& file : {arguments.trace, arguments.output})
-    if (file) fmt::print("wrote {}\n", *file);
+    if (file) print_written(*file);
 }
 
 ExitCode run_published(const LarArguments& arguments, const SegmentSet& input) {
@@ -130,10 +131,10 @@ ExitCode run(const LarArguments& arguments) {
   check_outputs(arguments.file, {{arguments.trace, {".json"}}, {arguments.output, {".svg"}}});
   const SegmentSet input = [&] {
     const Progress progress("reading " + arguments.file);
-    return evaluate(read(arguments.file, arguments.reading));
+    return evaluate(read(arguments.file, arguments.reading), limits_of(arguments));
   }();
-  fmt::print("drawing      {}: {} segments, {} rejected\n{}", arguments.file, input.segments.size(),
-             input.rejected.size(), rejected_lines(input));
+  fmt::print("drawing      {}: {} segments, {} rejected\n{}", line_text(arguments.file),
+             input.segments.size(), input.rejected.size(), rejected_lines(input));
   return arguments.is_published ? run_published(arguments, input) : run_repaired(arguments, input);
 }
 

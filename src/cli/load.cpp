@@ -22,7 +22,7 @@ Drawing load(const DrawingArguments& arguments) {
   {
     const Progress progress("reading " + arguments.file);
     drawing.structure = read(arguments.file, arguments.reading);
-    drawing.input = evaluate(drawing.structure);
+    drawing.input = evaluate(drawing.structure, limits_of(arguments));
     if (arguments.unit_square) drawing.input = lar::to_unit_square(drawing.input);
   }
   {

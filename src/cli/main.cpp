@@ -3,33 +3,48 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "cli/arguments.hpp"
+#include "cli/memory_limit.hpp"
+#include "cli/watchdog.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline::cli {
 namespace {
 
+/// What was printed is written, or that fails.
+void flush_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Error(ErrorCode::BadFile, "cannot write to standard output");
+}
+
 ExitCode parse_and_run(const std::vector<std::string>& arguments) {
   const auto parsed = parse(arguments);
   if (const auto* told = std::get_if<Told>(&parsed)) {
     fmt::print(told->is_error ? stderr : stdout, "{}", told->text);
+    flush_output();
     return told->is_error ? kBadInput : kAgree;
   }
-  return std::visit([](const auto& command) { return run(command); }, std::get<Command>(parsed));
+  const auto run_watched = [](const auto& command) {
+    const Watchdog watchdog(command.limits);
+    const ExitCode code = run(command);
+    flush_output();
+    return code;
+  };
+  return std::visit(run_watched, std::get<Command>(parsed));
 }
 
 ExitCode guarded(int argc, char** argv) {
   try {
-    const ExitCode code = parse_and_run({argv + (argc > 0 ? 1 : 0), argv + argc});
-    if (std::fflush(stdout) != 0)
-      throw Error(ErrorCode::BadFile, "cannot write to standard output");
-    return code;
+    return parse_and_run({argv + (argc > 0 ? 1 : 0), argv + argc});
   } catch (const Error& error) {
     fmt::print(stderr, "plumbline: {}\n", error.what());
     return error.code() == ErrorCode::Internal ? kInternal : kBadInput;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "plumbline: out of memory\n");
+    end_without_memory();
+  } catch (const std::system_error& error) {
+    fmt::print(stderr, "plumbline: {}\n", error.what());
     return kBadInput;
   } catch (const std::exception& error) {
     fmt::print(stderr, "plumbline: internal error: {}\n", error.what());

@@ -32,11 +32,13 @@ CLI::App* add_command(CLI::App& app, LarArguments& arguments) {
   command
       ->add_option("--decimals", arguments.decimals,
                    "Decimals of the published variant's coordinates and parameters [default: 4]")
+      ->check(integer(0))
       ->type_name("N");
   command
       ->add_option("--radius", arguments.radius,
                    "Vertices no further apart than this are merged [default: published 0.001, "
                    "repaired 0.001 x the drawing's longer side]")
+      ->check(finite())
       ->type_name("R");
   command->add_flag("--unit-square", arguments.unit_square,
                     "Map the drawing to the unit square first, y upwards, as published for SVG");
@@ -50,11 +52,13 @@ CLI::App* add_command(CLI::App& app, LarArguments& arguments) {
       ->transform(CLI::CheckedTransformer(pictures, CLI::ignore_case).description(""))
       ->type_name("WHAT");
   command->add_option("--factor", arguments.picture.explode, "Of --show explode [default: 1.2]")
+      ->check(finite())
       ->type_name("F");
   command
       ->add_option("--faces", arguments.picture.faces,
                    "Of --show boundary: faces by the numbers that it shows [default: all]")
       ->delimiter(',')
+      ->check(integer(0))
       ->type_name("F,F,...");
   add_threads(*command, arguments.threads);
   command->add_option("-o,--output", arguments.output, "Write a picture to an SVG file")
@@ -80,6 +84,7 @@ CLI::App* add_command(CLI::App& app, EvalArguments& arguments) {
                     "The boundary of all cells: facets that an odd number of them hold");
   command
       ->add_option("--embed", arguments.embed, "Add N dimensions (-N: drop the last N coordinates)")
+      ->check(integer())
       ->type_name("N");
   command
       ->add_option("--category", arguments.category,
@@ -107,13 +112,16 @@ CLI::App* add_command(CLI::App& app, RandomArguments& arguments) {
       ->check(CLI::Range(std::size_t{0}, kMostRandomSegments))
       ->type_name("");
   command->add_option("--scaling", arguments.scaling, "Of their lengths [default: 0.1]")
+      ->check(finite())
       ->type_name("S");
   command->add_option("--seed", arguments.seed, "Determines the segments [default: 1]")
+      ->check(integer(0))
       ->type_name("K");
   command
       ->add_option("-o,--output", arguments.output,
                    "Write them to a .lines file [default: to standard output]")
       ->type_name("FILE");
+  add_limits(*command, arguments.limits);
   return command;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <limits>
 
 #include "cli/commands.hpp"
 
@@ -20,6 +22,12 @@ CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
 void add_input(CLI::App& command, InputArguments& arguments, const char* file = nullptr);
 /// The same, and how it is arranged.
 void add_drawing(CLI::App& command, DrawingArguments& arguments);
+void add_limits(CLI::App& command, Limits& limits);
+/// Lets only integers of 64 bits pass, from the least on. CLI11 takes nothing for 0 and lets
+/// negative ones overflow.
+CLI::Validator integer(std::int64_t least = std::numeric_limits<std::int64_t>::min());
+/// Lets only finite numbers pass.
+CLI::Validator finite();
 void add_threads(CLI::App& command, std::size_t& threads);
 
 }  // namespace plumbline::cli

@@ -6,7 +6,9 @@
 #include <cctype>
 #include <filesystem>
 
+#include "cli/watchdog.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -15,8 +17,11 @@ namespace fs = std::filesystem;
 
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
-  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored) ||
-         fs::equivalent(a, b, ignored);
+  // From the root on: it leaves alone what begins with a name that is not there.
+  const auto full = [&](const std::string& name) {
+    return fs::weakly_canonical(fs::absolute(name, ignored), ignored);
+  };
+  return full(a) == full(b) || fs::equivalent(a, b, ignored);
 }
 
 }  // namespace
@@ -33,8 +38,9 @@ void check_outputs(const std::string& input, const std::vector<Output>& outputs)
   for (const Output& output : outputs) {
     if (!output.file) continue;
     const auto& endings = output.endings;
-    if (fs::exists(*output.file) && !fs::is_regular_file(*output.file))
-      continue;  // a pipe, a device
+    std::error_code ignored;  // what is wrong with the name is told when it is written to
+    const fs::file_status status = fs::status(*output.file, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) continue;  // a pipe, a device
     if (std::find(endings.begin(), endings.end(), ending(*output.file)) == endings.end()) {
       throw Error(ErrorCode::BadInput,
                   fmt::format("an output file of this kind ends in {}", fmt::join(endings, " or ")),
@@ -48,5 +54,13 @@ void check_outputs(const std::string& input, const std::vector<Output>& outputs)
     taken.push_back(*output.file);
   }
 }
+
+void write_file(const std::string& file, std::string_view content) {
+  WatchedFile result(file);
+  result.file().write(content);
+  result.file().commit();
+}
+
+void print_written(const std::string& file) { fmt::print("wrote {}\n", line_text(file)); }
 
 }  // namespace plumbline::cli

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <utility>
+#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 
@@ -22,7 +23,8 @@ std::string rejected_lines(const SegmentSet& input) {
   }
   std::string text;
   for (const auto& [what, lines] : groups) {
-    text += fmt::format("  {} x {}: {}; line", lines.size(), what.first, what.second);
+    text += fmt::format("  {} x {}: {}; line", lines.size(), line_text(what.first),
+                        line_text(what.second));
     for (std::size_t i = 0; i < std::min(lines.size(), kShownLines); ++i) {
       text += fmt::format(" {}", lines[i]);
     }
@@ -35,7 +37,8 @@ std::string exactness_line(const SegmentSet& input) {
   if (input.ledger.empty()) return "every coordinate is exactly what the file says";
   const Replacement& first = input.ledger.front();
   return fmt::format("{} numbers were replaced, the first: {} within {} ({})", input.ledger.size(),
-                     first.what, first.bound, to_text(first.source, input.files));
+                     line_text(first.what), first.bound,
+                     line_text(to_text(first.source, input.files)));
 }
 
 }  // namespace plumbline::cli

@@ -4,7 +4,8 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <utility>
+
+#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -17,7 +18,7 @@ std::string bar_of(double part) {
 
 }  // namespace
 
-Progress::Progress(std::string what) : what_(std::move(what)) {
+Progress::Progress(std::string_view what) : what_(line_text(what)) {
   if (::isatty(STDERR_FILENO) != 0) thread_ = std::thread(&Progress::show, this);
 }
 

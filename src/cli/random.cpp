@@ -15,7 +15,7 @@ ExitCode run(const RandomArguments& arguments) {
     return kAgree;
   }
   write_file(*arguments.output, rows);
-  fmt::print("wrote {}\n", *arguments.output);
+  print_written(*arguments.output);
   return kAgree;
 }
 

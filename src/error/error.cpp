@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "error/shown_text.hpp"
+#include "plumbline/text.hpp"
 
 namespace plumbline {
 namespace {
@@ -16,7 +17,7 @@ std::string one_line(const Place& place, const std::string& message, const std::
   if (!line.empty()) line += ": ";
   line += message;
   if (!text.empty()) line += ": \"" + text + "\"";
-  return line;
+  return line_text(line);
 }
 
 }  // namespace

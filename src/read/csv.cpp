@@ -80,8 +80,8 @@ Columns columns_of(const std::vector<CsvField>& header) {
 
 class CsvReader {
  public:
-  CsvReader(ByteStream& bytes, Geometries* geometries)
-      : file_(bytes.file()), records_(bytes), table_(bytes.file(), geometries) {}
+  CsvReader(ByteStream& bytes, const FeatureOptions& options)
+      : file_(bytes.file()), records_(bytes), table_(bytes.file(), options) {}
 
   Structure read() && {
     if (!records_.next()) return std::move(table_).finish();
@@ -189,11 +189,9 @@ class CsvReader {
 
 }  // namespace
 
-Structure read_csv(ByteStream& bytes, Geometries* geometries) {
-  return CsvReader(bytes, geometries).read();
+Structure read_csv(ByteStream& bytes, const FeatureOptions& options) {
+  return CsvReader(bytes, options).read();
 }
-
-Structure read_csv(ByteStream& bytes) { return read_csv(bytes, nullptr); }
 
 Structure read_csv(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});

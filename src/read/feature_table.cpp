@@ -32,8 +32,10 @@ std::vector<PointD> rounded(const Polylines& lines, std::size_t begin, std::size
 
 }  // namespace
 
-FeatureTable::FeatureTable(const std::string& file_name, Geometries* geometries)
-    : geometries_(geometries), files_{file_name} {}
+FeatureTable::FeatureTable(const std::string& file_name, const FeatureOptions& options)
+    : geometries_(options.geometries),
+      budget_(options.max_segments, "segments"),
+      files_{file_name} {}
 
 void FeatureTable::begin_feature() {
   for (auto table = open_.begin(); table != open_.end();) {
@@ -118,6 +120,7 @@ void FeatureTable::add_lines(std::string_view element, const Place& place, const
   std::size_t single_points = 0;
   std::size_t begin = 0;
   for (const std::size_t end : lines.ends) {
+    if (end > begin) budget_.spend(end - begin - 1);
     for (std::size_t i = begin; i + 1 < end; ++i) {
       model.segments.push_back(lines.points[i], lines.points[i + 1]);
     }
@@ -158,6 +161,7 @@ void FeatureTable::add_segment(std::string_view element, const Place& place, Num
     return add_lines(element, place, line);
   }
   Model& model = table(element).model;
+  budget_.spend(1);
   model.segments.push_back(std::move(a), std::move(b));
   add_row(model, place, 1);
 }

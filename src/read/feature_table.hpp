@@ -10,6 +10,7 @@
 #include "plumbline/structure.hpp"
 #include "read/geometries.hpp"
 #include "read/rejections.hpp"
+#include "structure/words.hpp"
 
 namespace plumbline {
 
@@ -34,8 +35,8 @@ struct Polylines {
 /// 80 bytes for each element of one segment, and its id.
 class FeatureTable {
  public:
-  /// Lines and rings go to `geometries` instead, where there are some.
-  explicit FeatureTable(const std::string& file_name, Geometries* geometries = nullptr);
+  /// Lines and rings go to the options' geometries instead, where there are some.
+  FeatureTable(const std::string& file_name, const FeatureOptions& options);
 
   /// What is added from here on belongs to one feature.
   void begin_feature();
@@ -74,6 +75,7 @@ class FeatureTable {
   static Source source_of(std::string_view element, const Place& place);
 
   Geometries* geometries_;
+  CountBudget budget_;
   std::vector<std::string> files_;
   std::vector<Table> open_;
   std::vector<Model> full_;

@@ -111,7 +111,8 @@ std::string bound_text(double bound) {
 }
 
 Flattener::Flattener(const ReadOptions& options, std::size_t max_document_chords)
-    : tolerance_(options.chord_tolerance), chords_left_(max_document_chords) {
+    : tolerance_(options.chord_tolerance),
+      chords_left_(std::min(max_document_chords, options.max_segments)) {
   if (sgn(tolerance_) < 0) {
     throw Error(ErrorCode::BadInput, "negative chord tolerance", {}, exact_text(tolerance_));
   }

@@ -83,8 +83,8 @@ struct Level {
 
 class GeoJsonReader {
  public:
-  GeoJsonReader(ByteStream& bytes, Geometries* geometries)
-      : bytes_(bytes), table_(bytes.file(), geometries) {}
+  GeoJsonReader(ByteStream& bytes, const FeatureOptions& options)
+      : bytes_(bytes), table_(bytes.file(), options) {}
 
   Structure read() && {
     parse_json(bytes_, *this);
@@ -336,11 +336,9 @@ class GeoJsonReader {
 
 }  // namespace
 
-Structure read_geojson(ByteStream& bytes, Geometries* geometries) {
-  return GeoJsonReader(bytes, geometries).read();
+Structure read_geojson(ByteStream& bytes, const FeatureOptions& options) {
+  return GeoJsonReader(bytes, options).read();
 }
-
-Structure read_geojson(ByteStream& bytes) { return read_geojson(bytes, nullptr); }
 
 Structure read_geojson(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});

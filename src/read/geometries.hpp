@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "plumbline/geometry.hpp"
+#include "plumbline/structure.hpp"
 
 namespace plumbline {
 
@@ -14,6 +14,12 @@ struct Geometries {
   };
   std::vector<std::vector<PointD>> lines;
   std::vector<Polygon> polygons;
+};
+
+/// How a format without hierarchy is read.
+struct FeatureOptions {
+  Geometries* geometries = nullptr;       ///< where lines and polygons go; none: to the Structure
+  std::size_t max_segments = kAnyNumber;  ///< of the Structure
 };
 
 }  // namespace plumbline

@@ -25,7 +25,8 @@ Section section_of(std::string_view key) {
 
 class LarJsonReader {
  public:
-  explicit LarJsonReader(ByteStream& bytes) : bytes_(bytes), table_(bytes.file()) {}
+  LarJsonReader(ByteStream& bytes, const FeatureOptions& options)
+      : bytes_(bytes), table_(bytes.file(), options) {}
 
   Structure read() && {
     parse_json(bytes_, *this);
@@ -278,7 +279,9 @@ class LarJsonReader {
 
 }  // namespace
 
-Structure read_lar_json(ByteStream& bytes) { return LarJsonReader(bytes).read(); }
+Structure read_lar_json(ByteStream& bytes, const FeatureOptions& options) {
+  return LarJsonReader(bytes, options).read();
+}
 
 Structure read_lar_json(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});

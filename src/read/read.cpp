@@ -14,20 +14,28 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string content(const fs::path& file) {
-  const std::uintmax_t size = checked_size(file, kMaxFileSize);
+  constexpr std::size_t kBlock = std::size_t{1} << 16U;
+  std::string text;
+  text.reserve(checked_size(file, kMaxFileSize) + kBlock);
   std::ifstream stream(file, std::ios::binary);
-  std::string text(size, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(size));
-  if (!stream) throw Error(ErrorCode::BadFile, "cannot be read", {file.string(), 0, 0});
+  // To the end that it has now: some files, as those of /proc, have no size beforehand.
+  for (std::size_t size = 0; stream; text.resize(size)) {
+    text.resize(size + kBlock);
+    stream.read(text.data() + size, kBlock);
+    size += static_cast<std::size_t>(stream.gcount());
+    if (size > kMaxFileSize)
+      throw Error(ErrorCode::Limit, "grows while it is read", {file.string(), 0, 0});
+  }
+  if (!stream.eof()) throw Error(ErrorCode::BadFile, "cannot be read", {file.string(), 0, 0});
   return text;
 }
 
-using FeatureReader = Structure (*)(ByteStream&);
+using FeatureReader = Structure (*)(ByteStream&, const FeatureOptions&);
 
-Structure read_streamed(const fs::path& file, FeatureReader reader) {
+Structure read_streamed(const fs::path& file, const ReadOptions& options, FeatureReader reader) {
   checked_size(file, kMaxStreamedFileSize);
   ByteStream bytes(file);
-  return reader(bytes);
+  return reader(bytes, {nullptr, options.max_segments});
 }
 
 Structure read_json(const fs::path& file, const ReadOptions& options) {
@@ -35,11 +43,9 @@ Structure read_json(const fs::path& file, const ReadOptions& options) {
   ByteStream beginning(file);
   switch (json_kind(beginning)) {
     case JsonKind::GeoJson:
-      return read_streamed(file, read_geojson);
-    case JsonKind::Lar: {
-      ByteStream bytes(file);
-      return read_lar_json(bytes);
-    }
+      return read_streamed(file, options, read_geojson);
+    case JsonKind::Lar:
+      return read_streamed(file, options, read_lar_json);
     case JsonKind::Struct: {
       ByteStream bytes(file);
       return read_struct_json(bytes, options);
@@ -69,10 +75,10 @@ Structure read(const fs::path& file, const ReadOptions& options) {
   if (ending == ".dxf") return read_dxf(content(file), file.string(), options);
   if (ending == ".lines") return read_lines(content(file), file.string());
   if (ending == ".json") return read_json(file, options);
-  if (ending == ".geojson") return read_streamed(file, read_geojson);
-  if (ending == ".wkt") return read_streamed(file, read_wkt);
-  if (ending == ".wkb") return read_streamed(file, read_wkb);
-  if (ending == ".csv") return read_streamed(file, read_csv);
+  if (ending == ".geojson") return read_streamed(file, options, read_geojson);
+  if (ending == ".wkt") return read_streamed(file, options, read_wkt);
+  if (ending == ".wkb") return read_streamed(file, options, read_wkb);
+  if (ending == ".csv") return read_streamed(file, options, read_csv);
   throw Error(ErrorCode::BadInput,
               "unknown file name ending; known are .svg .svgz .dxf .lines .geojson .json .wkt .wkb "
               ".csv",

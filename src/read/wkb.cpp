@@ -255,8 +255,8 @@ void read_hex_wkb_geometry(ByteStream& bytes, FeatureTable& table) {
   WkbReader(Bytes(bytes, true), table).read_geometry();
 }
 
-Structure read_wkb(ByteStream& bytes, Geometries* geometries) {
-  FeatureTable table(bytes.file(), geometries);
+Structure read_wkb(ByteStream& bytes, const FeatureOptions& options) {
+  FeatureTable table(bytes.file(), options);
   const bool is_hex = bytes.peek() > '\1';  // bytes begin with their order, 0 or 1
   std::uint64_t number = 0;
   for (;;) {
@@ -272,8 +272,6 @@ Structure read_wkb(ByteStream& bytes, Geometries* geometries) {
   }
   return std::move(table).finish();
 }
-
-Structure read_wkb(ByteStream& bytes) { return read_wkb(bytes, nullptr); }
 
 Structure read_wkb(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});

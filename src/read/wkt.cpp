@@ -291,8 +291,8 @@ void read_wkt_geometry(ByteStream& bytes, FeatureTable& table, Numbers& numbers)
   WktReader(bytes, table, numbers).read_geometry();
 }
 
-Structure read_wkt(ByteStream& bytes, Geometries* geometries) {
-  FeatureTable table(bytes.file(), geometries);
+Structure read_wkt(ByteStream& bytes, const FeatureOptions& options) {
+  FeatureTable table(bytes.file(), options);
   Numbers numbers;
   WktReader reader(bytes, table, numbers);
   for (skip_to_geometry(bytes); !bytes.at_end(); skip_to_geometry(bytes)) {
@@ -301,8 +301,6 @@ Structure read_wkt(ByteStream& bytes, Geometries* geometries) {
   }
   return std::move(table).finish();
 }
-
-Structure read_wkt(ByteStream& bytes) { return read_wkt(bytes, nullptr); }
 
 Structure read_wkt(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});

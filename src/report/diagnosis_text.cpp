@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "plumbline/report.hpp"
+#include "plumbline/text.hpp"
 #include "report/verdict.hpp"
-#include "write/escape.hpp"
 
 namespace plumbline {
 namespace {

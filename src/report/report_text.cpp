@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "plumbline/report.hpp"
+#include "plumbline/text.hpp"
 #include "report/ladder_text.hpp"
 #include "report/verdict.hpp"
-#include "write/escape.hpp"
 
 namespace plumbline {
 namespace {

@@ -57,7 +57,7 @@ CellLists cells_of(const Geometries& geometries) {
 ForeignResult read_features(ByteStream& bytes, FeatureReader reader) {
   ForeignResult result;
   Geometries geometries;
-  Structure notes = reader(bytes, &geometries);
+  Structure notes = reader(bytes, {&geometries});
   result.file = bytes.file();
   result.rejected = std::move(notes.rejected);
   const CellLists cells = cells_of(geometries);

@@ -11,7 +11,7 @@ ForeignResult read_lar_result(ByteStream& bytes);
 ForeignResult read_arrangement(ByteStream& bytes);
 
 /// A reader of drawings that gives lines and polygons.
-using FeatureReader = Structure (*)(ByteStream&, Geometries*);
+using FeatureReader = Structure (*)(ByteStream&, const FeatureOptions&);
 ForeignResult read_features(ByteStream& bytes, FeatureReader reader);
 
 /// Notes faces that are not in the complex, having no edge.

@@ -15,8 +15,11 @@ std::size_t words(const NumberPoint& p) { return plumbline::words(p.x) + plumbli
 
 class Evaluation {
  public:
-  Evaluation(const Structure& structure, std::size_t max_words)
-      : structure_(structure), traversal_(structure), budget_(max_words) {
+  Evaluation(const Structure& structure, const EvaluateOptions& options)
+      : structure_(structure),
+        traversal_(structure),
+        budget_(options.max_words),
+        segments_(options.max_segments, "segments") {
     result_.files = structure.files;
     result_.rejected = structure.rejected;
     result_.ledger = structure.ledger;
@@ -86,6 +89,7 @@ class Evaluation {
 
   void add(const SegmentList& segments, std::size_t begin, std::size_t count, SourceId source,
            const PlaneMap& map) {
+    segments_.spend(count);
     for (std::size_t i = begin; i < begin + count; ++i) {
       const auto numbers = segments.numbers(i);
       NumberPoint a = map({numbers[0], numbers[1]});
@@ -104,12 +108,14 @@ class Evaluation {
 
   void add(const LarModel& model, const PlaneMap& map) {
     const SourceId id = add_source(model.source);
+    const ModelEdges& known = edges_of(model);
+    segments_.spend(known.edges.size());
     budget_.spend(model.vertex_count());
     images_.clear();
     for (std::size_t v = 0; v < model.vertex_count(); ++v) {
       images_.push_back(map({model.vertex(v)[0], model.vertex(v)[1]}));
     }
-    for (const auto& [tail, head] : edges_of(model).edges) {
+    for (const auto& [tail, head] : known.edges) {
       budget_.spend(words(images_[tail]) + words(images_[head]));
       add(images_[tail], images_[head], id);
     }
@@ -134,12 +140,13 @@ class Evaluation {
   std::unordered_map<const LarModel*, ModelEdges> edges_;
   std::vector<NumberPoint> images_;  ///< of the current LarModel's vertices
   WordBudget budget_;
+  CountBudget segments_;
 };
 
 }  // namespace
 
-SegmentSet evaluate(const Structure& structure, std::size_t max_words) {
-  return Evaluation(structure, max_words).run();
+SegmentSet evaluate(const Structure& structure, const EvaluateOptions& options) {
+  return Evaluation(structure, options).run();
 }
 
 }  // namespace plumbline

@@ -69,7 +69,11 @@ class VertexIndex {
 class ToLar {
  public:
   ToLar(const Structure& structure, const ToLarOptions& options, std::size_t max_words)
-      : structure_(structure), options_(options), index_(result_), budget_(max_words) {
+      : structure_(structure),
+        options_(options),
+        index_(result_),
+        budget_(max_words),
+        cells_(options.max_cells, "segments or cells") {
     if (options.decimals && (*options.decimals < 0 || *options.decimals > Number::kMaxDigits)) {
       throw Error(ErrorCode::BadInput, "decimals are not between 0 and 18", {},
                   std::to_string(*options.decimals));
@@ -115,6 +119,7 @@ class ToLar {
 
   void append(const Cells& cells, const LarModel& model, const Affine& map, Cells& to,
               CellSets& known) {
+    cells_.spend(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c) {
       cell_.clear();
       for (const std::uint32_t v : cells[c]) cell_.push_back(vertex(v, model, map));
@@ -163,6 +168,7 @@ class ToLar {
   LarModel result_;
   VertexIndex index_;
   WordBudget budget_;
+  CountBudget cells_;
   Cells edges_;
   CellSets edge_sets_;
   std::vector<CellSets> cell_sets_;

@@ -31,4 +31,22 @@ class WordBudget {
   std::size_t left_;
 };
 
+/// How many segments, or cells, a result may still get.
+class CountBudget {
+ public:
+  CountBudget(std::size_t most, const char* what) : most_(most), left_(most), what_(what) {}
+
+  void spend(std::size_t count) {
+    if (count > left_) {
+      throw Error(ErrorCode::Limit, "more than " + std::to_string(most_) + " " + what_);
+    }
+    left_ -= count;
+  }
+
+ private:
+  std::size_t most_;
+  std::size_t left_;
+  const char* what_;
+};
+
 }  // namespace plumbline

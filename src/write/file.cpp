@@ -1,11 +1,10 @@
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <string>
+#include <optional>
 
 #include "plumbline/error.hpp"
 #include "plumbline/write.hpp"
@@ -13,81 +12,110 @@
 namespace plumbline {
 namespace {
 
-/// A temporary file beside its target, removed unless it was renamed to it.
-class Temporary {
- public:
-  explicit Temporary(const std::filesystem::path& target)
-      : target_(target), name_(target.string() + ".XXXXXX"), file_(::mkstemp(name_.data())) {
-    if (file_ < 0) fail("cannot create a file here");
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
-    if (file_ >= 0) ::close(file_);
-    if (!renamed_) ::unlink(name_.c_str());
-  }
+namespace fs = std::filesystem;
 
-  void write(std::string_view content) {
-    while (!content.empty()) {
-      const ssize_t written = ::write(file_, content.data(), content.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail("cannot write the file");
-      content.remove_prefix(static_cast<std::size_t>(written));
-    }
+constexpr ::mode_t kPermissions = 0777;
+constexpr ::mode_t kNewFile = 0666;  ///< before the umask
+
+/// What the name stands for, links followed; nothing where there is no such file.
+std::optional<struct ::stat> status_of(const fs::path& file) {
+  struct ::stat result = {};
+  if (::stat(file.c_str(), &result) != 0) return std::nullopt;
+  return result;
+}
+
+/// Where links lead to, also to a file that is not there.
+fs::path link_target(fs::path file) {
+  constexpr int kMostLinks = 40;  // as the kernel's
+  std::error_code is_no_link;
+  for (int i = 0; i < kMostLinks; ++i) {
+    const fs::path next = fs::read_symlink(file, is_no_link);
+    if (is_no_link) break;
+    file = file.parent_path() / next;
   }
-
-  void rename() {
-    if (::fchmod(file_, permissions()) != 0) fail("cannot set the file's permissions");
-    if (::fsync(file_) != 0 && errno != EINVAL) fail("cannot write the file");
-    if (::rename(name_.c_str(), target_.c_str()) != 0) fail("cannot replace the file");
-    renamed_ = true;
-  }
-
- private:
-  /// Those of the file that is replaced, or of a new one.
-  ::mode_t permissions() const {
-    struct ::stat old = {};
-    if (::stat(target_.c_str(), &old) == 0) return old.st_mode & 07777;
-    const ::mode_t mask = ::umask(0);
-    ::umask(mask);
-    return 0666 & ~mask;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    const std::string reason = std::strerror(errno);
-    if (file_ >= 0) ::unlink(name_.c_str());
-    throw Error(ErrorCode::BadFile, what + " (" + reason + ")", {target_.string(), 0, 0});
-  }
-
-  std::filesystem::path target_;
-  std::string name_;
-  int file_;
-  bool renamed_ = false;
-};
-
-/// Pipes and devices cannot be replaced; they are written to.
-void write_stream(const std::filesystem::path& file, std::string_view content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  if (!stream.flush()) throw Error(ErrorCode::BadFile, "cannot write", {file.string(), 0, 0});
+  return file;
 }
 
 }  // namespace
 
-void write_file(const std::filesystem::path& file, std::string_view content) {
-  namespace fs = std::filesystem;
-  if (fs::is_directory(file)) {
-    throw Error(ErrorCode::BadFile, "cannot write a file: a directory has this name",
-                {file.string(), 0, 0});
+NewFile::NewFile(const fs::path& target) : target_(target) {
+  const auto old = status_of(target);
+  if (!old && errno != ENOENT) fail("cannot create the file");
+  if (old && S_ISDIR(old->st_mode)) {
+    errno = EISDIR;
+    fail("cannot write the file");
   }
-  if (fs::exists(file) && !fs::is_regular_file(file)) {
-    write_stream(file, content);
+  if (!old || S_ISREG(old->st_mode)) {
+    if (old && ::access(target.c_str(), W_OK) != 0) fail("cannot replace the file");
+    // Never readable by others than the file that it replaces.
+    create_beside(old ? old->st_mode & kPermissions : kNewFile);
+  }
+}
+
+NewFile::~NewFile() {
+  if (file_ >= 0) ::close(file_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+/// Its name does not hold the target's, which may be as long as names can be.
+void NewFile::create_beside(unsigned permissions) {
+  constexpr int kMostNames = 1000;
+  const fs::path file = link_target(target_);
+  const std::string begin =
+      (file.parent_path() / (".plumbline-" + std::to_string(::getpid()) + "-")).string();
+  for (int i = 0; i < kMostNames && file_ < 0; ++i) {
+    std::string name = begin + std::to_string(i);
+    file_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+    if (file_ >= 0) temporary_ = std::move(name);
+    if (file_ < 0 && errno != EEXIST) break;
+  }
+  if (file_ < 0) fail("cannot create the file");
+}
+
+/// Only now: a pipe waits for its reader.
+void NewFile::open_stream() {
+  file_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file_ < 0) fail("cannot write");
+}
+
+void NewFile::write(std::string_view content) {
+  if (file_ < 0) open_stream();
+  while (!content.empty()) {
+    const ssize_t written = ::write(file_, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("cannot write the file");
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void NewFile::commit() {
+  if (file_ < 0) open_stream();
+  const int file = file_;
+  if (temporary_.empty()) {
+    file_ = -1;
+    if (::close(file) != 0) fail("cannot write the file");
     return;
   }
-  // A link stays a link: the file that it names is replaced.
-  Temporary temporary(fs::exists(file) ? fs::canonical(file) : file);
-  temporary.write(content);
-  temporary.rename();
+  if (const auto old = status_of(target_)) {
+    if (::fchmod(file, old->st_mode & kPermissions) != 0) fail("cannot set the file's permissions");
+  }
+  if (::fsync(file) != 0 && errno != EINVAL) fail("cannot write the file");
+  file_ = -1;
+  if (::close(file) != 0) fail("cannot write the file");
+  if (::rename(temporary_.c_str(), link_target(target_).c_str()) != 0)
+    fail("cannot replace the file");
+  temporary_.clear();
+}
+
+void NewFile::fail(const std::string& what) const {
+  throw Error(ErrorCode::BadFile, what + " (" + std::strerror(errno) + ")",
+              {target_.string(), 0, 0});
+}
+
+void write_file(const fs::path& file, std::string_view content) {
+  NewFile result(file);
+  result.write(content);
+  result.commit();
 }
 
 }  // namespace plumbline

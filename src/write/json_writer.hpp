@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plumbline/geometry.hpp"
-#include "write/escape.hpp"
+#include "plumbline/text.hpp"
 
 namespace plumbline {
 

@@ -80,7 +80,7 @@ void check_reader(Structure (*read)(std::string_view, const std::string&, const 
     options.visible_only = visible_only;
     try {
       const Structure structure = read(text, kFile, options);
-      check_set(evaluate(structure, kMaxWords));
+      check_set(evaluate(structure, {kMaxWords}));
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Internal) fail(error.what());
       check_text(error.what(), "an error");
