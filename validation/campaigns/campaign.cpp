@@ -101,7 +101,7 @@ std::string small_rows(const Plan& plan, const Case& one, const std::string& wha
   const auto start = Clock::now();
   const auto fails = [&](const SegmentSet& input) {
     for (std::uint64_t more = 0; more < kTries; ++more) {
-      if (seconds_since(start) > kMinimising) return false;
+      if (is_interrupted != 0 || seconds_since(start) > kMinimising) return false;
       const auto judge = [&] { return what_is_wrong(input, one.relation, one.dice + more); };
       if (is_same_kind(what, in_child(judge, kTrial))) return true;
     }
