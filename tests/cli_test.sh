@@ -131,6 +131,21 @@ expect "a negative search distance is refused" 2 'negative.*-1' "$plumbline" inf
 expect "a search distance is for the diagnosis" 2 'diagnose' "$plumbline" info short.lines --within 1
 expect "a diagnosis does not overwrite its drawing" 2 'ends in .json' "$plumbline" info short.lines --diagnose -o short.lines
 rm -f d.json d.svg short.lines
+printf '0,0,3,1\n1,0.2,1,5\n' >cross.lines
+expect "nearest doubles are proven to form the same complex" 0 'rounded to nearest doubles: same incidences, proven; largest movement [0-9.]+e-17' "$plumbline" arrange cross.lines --safe -o s.json
+expect "the file says so" 0 '"same_incidences": true' grep same_incidences s.json
+printf '0,0,3,1\n1,0.33333333333333333333333333334,1,5\n' >above.lines
+expect "where they do not, snap rounding does" 0 'snap rounded to multiples of 8.88e-16: 1 edges bent by at most [0-9.]+e-16; .*verified' "$plumbline" arrange above.lines --safe -o s.json
+expect "and the file lists what it did" 0 '"bent_edges"' grep bent_edges s.json
+expect "decimals are rounded safely too" 0 'rounded to 3 decimals: same incidences' "$plumbline" arrange cross.lines --safe --decimals 3 -o s.json
+expect "in the numbers of the file" 0 '"nearest": .1, 0.333.' grep 0.333 s.json
+expect "rounded edges are a drawing" 0 'wrote s.lines' "$plumbline" arrange above.lines --safe --decimals 1 -o s.lines
+expect "with the same complex" 0 '4 vertices, 3 edges' "$plumbline" arrange s.lines
+expect "only safe edges are written" 2 'ends in .json or .svg' "$plumbline" arrange above.lines -o s.lines
+expect "decimals belong to --safe" 2 'safe' "$plumbline" arrange above.lines --decimals 3 -o s.json
+expect "too many decimals are refused" 2 '19' "$plumbline" arrange above.lines --safe --decimals 19 -o s.json
+expect "what is safe is written to a file" 2 'output' "$plumbline" arrange above.lines --safe
+rm -f s.json s.lines cross.lines above.lines
 if [[ -e /dev/full ]]; then
   expect "a full disk is an error" 2 'standard output' bash -c "'$plumbline' info c.lines >/dev/full"
 fi

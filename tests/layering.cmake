@@ -26,7 +26,7 @@ layer(cgal        error number geometry complex arrange) # plumbline/cgal.hpp an
 layer(lar         error number geometry complex published) # never arrange, never CGAL
 layer(published   error number geometry complex lar) # a second header of src/lar
 layer(triangulate error number geometry complex cgal)
-layer(round       error number geometry complex cgal)
+layer(round       error number geometry lists complex arrange)
 layer(crosscheck  error number geometry structure read complex boundary arrange lar published)
 layer(ladder      error number geometry complex arrange)
 layer(diagnose    error number geometry complex arrange)

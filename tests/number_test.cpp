@@ -229,3 +229,14 @@ TEST_CASE("a square root is near at every size, and 0 only for 0") {
   CHECK(nearest_sqrt(plumbline::parse_decimal("4e600")) == Approx(2e300).epsilon(1e-15));
   CHECK(nearest_sqrt(plumbline::parse_decimal("1e-9000")) == 0);
 }
+
+TEST_CASE("a whole decimal expansion has all digits, and reads back") {
+  using plumbline::decimal_text;
+  CHECK(decimal_text(parse_decimal("-0.125")) == "-0.125");
+  CHECK(decimal_text(parse_decimal("12")) == "12");
+  CHECK(decimal_text(rational_from(0.1)) ==
+        "0.1000000000000000055511151231257827021181583404541015625");
+  CHECK(decimal_text(rational_from(5e-324)).size() == 1076);
+  CHECK(parse_decimal(decimal_text(rational_from(-1.0 / 3))) == rational_from(-1.0 / 3));
+  CHECK_THROWS_WITH(decimal_text(parse_decimal("1/3")), Catch::Contains("not a decimal"));
+}

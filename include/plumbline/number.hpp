@@ -107,4 +107,8 @@ std::string shortest_text(double value);
 /// limits.
 std::string exact_text(const Rational& value);
 
+/// The whole decimal expansion, however long: of a double up to 1076 digits. Requires: the value is
+/// a decimal; throws Error BadInput.
+std::string decimal_text(const Rational& value);
+
 }  // namespace plumbline

@@ -19,6 +19,7 @@
 #include "plumbline/read.hpp"
 #include "plumbline/report.hpp"
 #include "plumbline/result.hpp"
+#include "plumbline/round.hpp"
 #include "plumbline/structure.hpp"
 #include "plumbline/triangulate.hpp"
 #include "plumbline/write.hpp"

@@ -8,6 +8,7 @@
 
 #include "plumbline/complex.hpp"
 #include "plumbline/published.hpp"
+#include "plumbline/round.hpp"
 
 namespace plumbline {
 
@@ -18,6 +19,11 @@ struct Structure;
 /// with cycles of signed edges, area, depth, interior point; components; rejected items; ledger;
 /// signature. Documented in docs/json.md.
 std::string to_json(const ExactComplex& complex, const SegmentSet& input);
+
+/// The same with numbers that are proven to be those of the same complex: of `complex` itself where
+/// the rounding keeps its incidences, else of the snap rounded complex, and what has changed.
+std::string to_json(const ExactComplex& complex, const SegmentSet& input, const Grid& grid,
+                    const Rounding& rounding);
 
 /// The structure as JSON that `read_struct_json` reads back: definitions in order, references by
 /// name, rotations as the exact matrices that they became. Throws: Error BadInput for a reference
@@ -75,6 +81,11 @@ std::string to_lines(std::span<const lar::SegmentD> segments);
 /// `exact_text`s. **Exact**. `read` takes it as a .lines file (it lists the points as rejected),
 /// plumbline-verify as the input of a certificate.
 std::string to_lines(const SegmentSet& input);
+
+/// The edges in their order as such rows, with whole decimal expansions: what they say is the
+/// complex itself, but for its isolated vertices and sources. **Exact**. Requires: coordinates are
+/// decimals, as those of a Rounding are; throws Error BadInput.
+std::string to_lines(const ExactComplex& complex);
 
 /// A file that is whole or not there: its content goes to a temporary beside it, which `commit`
 /// renames to it. A new file has the permissions that the umask leaves, one that is replaced keeps

@@ -4,6 +4,7 @@
 #include "cli/load.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
+#include "cli/safe_output.hpp"
 #include "plumbline/certificate.hpp"
 
 namespace plumbline::cli {
@@ -23,14 +24,20 @@ void write_certificate(const ArrangeArguments& arguments, const Drawing& drawing
 }  // namespace
 
 ExitCode run(const ArrangeArguments& arguments) {
+  std::vector<std::string> endings{".json", ".svg"};
+  if (arguments.safe) endings.emplace_back(".lines");
   check_outputs(arguments.file,
-                {{arguments.output, {".json", ".svg"}}, {arguments.certificate, {".certificate"}}});
+                {{arguments.output, endings}, {arguments.certificate, {".certificate"}}});
   const Drawing drawing = load(arguments);
   fmt::print("{}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
   fmt::print("{} segments, {} rejected\n{}", drawing.input.segments.size(),
              drawing.input.rejected.size(), rejected_lines(drawing.input));
   fmt::print("{}\nsignature {}\n", exactness_line(drawing.input), signature(drawing.complex));
-  if (arguments.output) {
+  if (arguments.safe) {
+    const SafeOutput output = safe_output(arguments, drawing);
+    write_file(*arguments.output, output.content);
+    fmt::print("{}\nwrote {}\n", output.line, *arguments.output);
+  } else if (arguments.output) {
     write_file(*arguments.output, ending(*arguments.output) == ".json"
                                       ? to_json(drawing.complex, drawing.input)
                                       : to_svg(drawing.complex, drawing.input.y_up));

@@ -7,6 +7,7 @@
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
 #include "plumbline/read.hpp"
+#include "plumbline/round.hpp"
 #include "plumbline/write.hpp"
 
 namespace plumbline::cli {
@@ -44,6 +45,8 @@ struct DrawingArguments : InputArguments {
 struct ArrangeArguments : DrawingArguments {
   std::optional<std::string> output;
   std::optional<std::string> certificate;
+  bool safe = false;  ///< prove that what is written, rounded, is a valid complex
+  Grid grid;
 };
 
 struct CheckArguments : DrawingArguments {

@@ -109,10 +109,24 @@ CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments) {
       app.add_subcommand("arrange", "Exact arrangement of a drawing: faces, holes, nesting");
   command->footer(
       "Examples: plumbline arrange plan.svg -o plan.json\n"
+      "          plumbline arrange plan.svg --safe --decimals 3 -o plan.json\n"
       "          plumbline arrange plan.lines --certify plan.certificate");
   add_drawing(*command, arguments);
-  command->add_option("-o,--output", arguments.output, "Write the complex to a .json or .svg file")
-      ->type_name("FILE");
+  CLI::Option* output =
+      command
+          ->add_option("-o,--output", arguments.output,
+                       "Write the complex to a .json or .svg file; with --safe also its edges to a "
+                       ".lines file")
+          ->type_name("FILE");
+  CLI::Option* safe = command
+                          ->add_flag("--safe", arguments.safe,
+                                     "Write nearest doubles only if they are proven to form the "
+                                     "same complex, else the snap rounded complex, proven too")
+                          ->needs(output);
+  command->add_option("--decimals", arguments.grid.decimals, "Of --safe: N decimals, not doubles")
+      ->check(CLI::Range(0, Grid::kMaxDecimals))
+      ->needs(safe)
+      ->type_name("N");
   command
       ->add_option("--certify", arguments.certificate,
                    "Write the complex, and what plumbline-verify needs to check it, to a "

@@ -16,12 +16,12 @@ constexpr double kLeastLength = 0x1p-500;
 
 }  // namespace
 
-VertexTree::VertexTree(const ExactComplex& complex) {
-  const std::size_t n = complex.vertices.size();
+VertexTree::VertexTree(const std::vector<Point>& vertices) {
+  const std::size_t n = vertices.size();
   points_.reserve(n);
   double extent = 0;
-  for (const Point& p : complex.vertices) {
-    const Point& origin = complex.vertices[n / 2];
+  for (const Point& p : vertices) {
+    const Point& origin = vertices[n / 2];
     points_.push_back(nearest(Point{p.x - origin.x, p.y - origin.y}));
     extent = std::max({extent, std::abs(points_.back().x), std::abs(points_.back().y)});
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "plumbline/error.hpp"
 #include "plumbline/number.hpp"
@@ -140,14 +141,23 @@ Rational parse_fraction(std::string_view text, std::size_t slash) {
 /// The longest decimal that `exact_text` writes.
 constexpr std::size_t kShownDigits = 40;
 
-/// The least k such that denominator divides 10^k; kShownDigits + 1 where there is none up to that.
-std::size_t decimal_places(const mpz_class& denominator) {
+/// The least k such that denominator divides 10^k, if there is one.
+std::optional<std::size_t> decimal_places(const mpz_class& denominator) {
   const mpz_class five = 5;
   mpz_class rest;
   const std::size_t twos = mpz_scan1(denominator.get_mpz_t(), 0);
   const std::size_t fives = mpz_remove(rest.get_mpz_t(), denominator.get_mpz_t(), five.get_mpz_t());
   mpz_tdiv_q_2exp(rest.get_mpz_t(), rest.get_mpz_t(), twos);
-  return rest == 1 ? std::max(twos, fives) : kShownDigits + 1;
+  if (rest != 1) return {};
+  return std::max(twos, fives);
+}
+
+std::string decimal_text(const Rational& value, std::size_t places) {
+  const mpz_class scaled = abs(value.get_num()) * power_of_ten(places) / value.get_den();
+  std::string digits = scaled.get_str();
+  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+  if (places > 0) digits.insert(digits.size() - places, ".");
+  return (sgn(value) < 0 ? "-" : "") + digits;
 }
 
 }  // namespace
@@ -164,14 +174,17 @@ Rational parse_decimal(std::string_view text) {
 
 std::string exact_text(const Rational& value) {
   if (value.get_den() == 1) return value.get_num().get_str();
-  const std::size_t places = decimal_places(value.get_den());
-  if (places > kShownDigits) return value.get_str();
-  const mpz_class scaled = abs(value.get_num()) * power_of_ten(places) / value.get_den();
-  std::string digits = scaled.get_str();
-  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
-  if (digits.size() > kShownDigits) return value.get_str();
-  digits.insert(digits.size() - places, ".");
-  return (sgn(value) < 0 ? "-" : "") + digits;
+  const std::optional<std::size_t> places = decimal_places(value.get_den());
+  if (!places || *places > kShownDigits) return value.get_str();
+  std::string text = decimal_text(value, *places);
+  const std::size_t punctuation = sgn(value) < 0 ? 2 : 1;  // sign and point
+  return text.size() > kShownDigits + punctuation ? value.get_str() : text;
+}
+
+std::string decimal_text(const Rational& value) {
+  const std::optional<std::size_t> places = decimal_places(value.get_den());
+  if (!places) throw Error(ErrorCode::BadInput, "not a decimal", {}, value.get_str());
+  return decimal_text(value, *places);
 }
 
 }  // namespace plumbline

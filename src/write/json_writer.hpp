@@ -48,6 +48,11 @@ class JsonWriter : public rapidjson::PrettyWriter<rapidjson::StringBuffer> {
       RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
     }
   }
+  /// A number with all its digits. Requires: the value is a decimal.
+  void whole_decimal(const Rational& value) {
+    const std::string digits = decimal_text(value);
+    RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
+  }
   /// A string: a decimal or "p/q".
   void exact(const Rational& value) { text(exact_text(value)); }
   /// [x, y], exact.

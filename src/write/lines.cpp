@@ -28,4 +28,16 @@ std::string to_lines(const SegmentSet& input) {
   return rows;
 }
 
+std::string to_lines(const ExactComplex& complex) {
+  std::string rows;
+  for (const auto& [tail, head] : complex.edges) {
+    for (const VertexId v : {tail, head}) {
+      for (const Rational* coordinate : {&complex.vertices[v].x, &complex.vertices[v].y})
+        rows += decimal_text(*coordinate) + ',';
+    }
+    rows.back() = '\n';
+  }
+  return rows;
+}
+
 }  // namespace plumbline

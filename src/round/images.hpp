@@ -1,0 +1,18 @@
+#pragma once
+
+#include "plumbline/complex.hpp"
+
+namespace plumbline::rounding {
+
+/// Per exact edge the halfedges of the rounded complex that its chain of rounded vertices runs
+/// along. Throws: Error Internal where there is no such edge.
+Lists<HalfedgeId> edge_images(const Incidences& rounded, const Lists<VertexId>& chains);
+
+/// Per rounded face the exact face that it comes from. Throws: Error Internal where the sides of
+/// the exact edges contradict each other: the motion from the exact to the rounded edges has then
+/// carried a vertex across an edge.
+std::vector<FaceId> face_origins(const Incidences& exact, const Incidences& rounded,
+                                 const std::vector<VertexId>& vertex_image,
+                                 const Lists<HalfedgeId>& edge_image);
+
+}  // namespace plumbline::rounding

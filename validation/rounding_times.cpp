@@ -1,0 +1,63 @@
+// What rounding costs beside arranging, on large inputs, as a Markdown table.
+// Usage: plumbline_rounding_times [WORKLOAD...]; without any, those of the recorded table.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <iostream>
+
+#include "plumbline/arrange.hpp"
+#include "plumbline/round.hpp"
+#include "workloads.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+const std::vector<std::string> kRecorded{"R1_1e4", "R1_7e4", "R5_2e4", "G_300",
+                                         "Gr_300", "D_5e4",  "S_1e5",  "S1_1e4"};
+const std::vector<Grid> kGrids{{}, {9}, {6}, {4}, {3}, {2}};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string timed(const ExactComplex& complex, const Grid& grid) {
+  const auto start = Clock::now();
+  const Rounding r = safely_rounded(complex, grid, {1, {}});
+  const double seconds = seconds_since(start);
+  if (r.has_same_incidences()) return fmt::format("{:.2f}, same", seconds);
+  return fmt::format("{:.2f}, snap rounded to {} V", seconds, r.complex.vertices.size());
+}
+
+void print_row(const std::string& name) {
+  const SegmentSet input = workloads::make(name);
+  const auto start = Clock::now();
+  const ExactComplex complex = arrange(input, Engine::Bucket, {1, {}});
+  const double arranging = seconds_since(start);
+  const auto middle = Clock::now();
+  const bool is_valid = validate(complex).empty();
+  fmt::print("| {} | {} | {} | {:.2f} | {:.2f} |", name, complex.vertices.size(),
+             complex.edge_count(), arranging, seconds_since(middle));
+  for (const Grid& grid : kGrids) fmt::print(" {} |", timed(complex, grid));
+  fmt::print("{}\n", is_valid ? "" : " **invalid**");
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const std::vector<std::string> names =
+      argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : kRecorded;
+  fmt::print("Seconds, one thread. `arrange`: from segments to the canonical exact complex.\n\n");
+  fmt::print("| workload | V | E | arrange | validate |");
+  for (const Grid& grid : kGrids) fmt::print(" {} |", to_text(grid));
+  fmt::print("\n|---|---:|---:|---:|---:|---|---|---|---|---|---|\n");
+  for (const std::string& name : names) print_row(name);
+  return 0;
+} catch (const Error& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
+}
