@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -16,8 +16,6 @@ namespace fs = std::filesystem;
 using namespace plumbline;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 const std::vector<Grid> kGrids{{}, {6}, {4}, {3}, {2}};
 const std::set<std::string> kEndings{".svg",  ".svgz",    ".dxf", ".lines",
@@ -34,8 +32,8 @@ struct Total {
   std::vector<double> kept_ratios, snapped_ratios;  ///< time against that of arranging
 };
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+double seconds_since(std::clock_t start) {
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 std::vector<fs::path> drawings(const fs::path& directory) {
@@ -55,8 +53,8 @@ double relative(const Rational& squared, const Rounding& rounding) {
 /// Rounds, counts, and says what happened in a cell of the table.
 std::string cell(const ExactComplex& complex, const Grid& grid, double arrange_seconds,
                  Total& total) {
-  const auto start = Clock::now();
-  const Rounding rounding = safely_rounded(complex, grid);
+  const std::clock_t start = std::clock();
+  const Rounding rounding = safely_rounded(complex, grid, {1, {}});
   const double ratio = seconds_since(start) / arrange_seconds;
   if (complex.vertices.size() >= kTimedVertices)
     (rounding.has_same_incidences() ? total.kept_ratios : total.snapped_ratios).push_back(ratio);
@@ -113,8 +111,8 @@ bool print_rows(const fs::path& directory, std::vector<Total>& totals) {
     double seconds = 0;
     try {
       input = evaluate(read(file));
-      const auto start = Clock::now();
-      complex = arrange(input);
+      const std::clock_t start = std::clock();
+      complex = arrange(input, Engine::Bucket, {1, {}});
       seconds = seconds_since(start);
     } catch (const Error&) {
       continue;  // no drawing, or one that the readers refuse: counted elsewhere

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <ctime>
 #include <iostream>
 
 #include "plumbline/arrange.hpp"
@@ -14,18 +14,16 @@ using namespace plumbline;
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 const std::vector<std::string> kRecorded{"R1_1e4", "R1_7e4", "R5_2e4", "G_300",
                                          "Gr_300", "D_5e4",  "S_1e5",  "S1_1e4"};
 const std::vector<Grid> kGrids{{}, {9}, {6}, {4}, {3}, {2}};
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+double seconds_since(std::clock_t start) {
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 std::string timed(const ExactComplex& complex, const Grid& grid) {
-  const auto start = Clock::now();
+  const std::clock_t start = std::clock();
   const Rounding r = safely_rounded(complex, grid, {1, {}});
   const double seconds = seconds_since(start);
   if (r.has_same_incidences()) return fmt::format("{:.2f}, same", seconds);
@@ -34,10 +32,10 @@ std::string timed(const ExactComplex& complex, const Grid& grid) {
 
 void print_row(const std::string& name) {
   const SegmentSet input = workloads::make(name);
-  const auto start = Clock::now();
+  const std::clock_t start = std::clock();
   const ExactComplex complex = arrange(input, Engine::Bucket, {1, {}});
   const double arranging = seconds_since(start);
-  const auto middle = Clock::now();
+  const std::clock_t middle = std::clock();
   const bool is_valid = validate(complex).empty();
   fmt::print("| {} | {} | {} | {:.2f} | {:.2f} |", name, complex.vertices.size(),
              complex.edge_count(), arranging, seconds_since(middle));
@@ -51,7 +49,8 @@ void print_row(const std::string& name) {
 int main(int argc, char** argv) try {
   const std::vector<std::string> names =
       argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : kRecorded;
-  fmt::print("Seconds, one thread. `arrange`: from segments to the canonical exact complex.\n\n");
+  fmt::print(
+      "CPU seconds, one thread. `arrange`: from segments to the canonical exact complex.\n\n");
   fmt::print("| workload | V | E | arrange | validate |");
   for (const Grid& grid : kGrids) fmt::print(" {} |", to_text(grid));
   fmt::print("\n|---|---:|---:|---:|---:|---|---|---|---|---|---|\n");

@@ -69,9 +69,9 @@ class RoundingJson {
   }
 
   void edge(EdgeId e) {
-    const auto [tail, head] = exact_.edges[e];
-    member("from", [&] { json_.point(exact_.vertices[tail]); });
-    member("to", [&] { json_.point(exact_.vertices[head]); });
+    const Edge& edge = exact_.edges[e];
+    member("from", [&] { json_.point(exact_.vertices[edge.tail]); });
+    member("to", [&] { json_.point(exact_.vertices[edge.head]); });
     member("segments", [&] { json_.counts(exact_.edge_sources[e]); });
   }
 
