@@ -36,7 +36,8 @@ ExitCode run(const ArrangeArguments& arguments) {
   if (arguments.safe) {
     const SafeOutput output = safe_output(arguments, drawing);
     write_file(*arguments.output, output.content);
-    fmt::print("{}\nwrote {}\n", output.line, *arguments.output);
+    fmt::print("{}\n", output.line);
+    print_written(*arguments.output);
   } else if (arguments.output) {
     write_file(*arguments.output, ending(*arguments.output) == ".json"
                                       ? to_json(drawing.complex, drawing.input)
