@@ -16,6 +16,21 @@ namespace {
 
 constexpr rlim_t kMemory = rlim_t{4} << 30U;
 
+// Sanitizers reserve far more addresses than they use.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define PLUMBLINE_IS_SANITIZED 1
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define PLUMBLINE_IS_SANITIZED 1
+#endif
+#ifdef PLUMBLINE_IS_SANITIZED
+constexpr bool kLimitsMemory = false;
+#else
+constexpr bool kLimitsMemory = true;
+#endif
+
 [[noreturn]] void throw_system_error(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
@@ -23,7 +38,7 @@ constexpr rlim_t kMemory = rlim_t{4} << 30U;
 /// What the child does. It leaves without destructors, which belong to its parent.
 [[noreturn]] void work_and_leave(const std::function<std::string()>& work, int pipe) {
   const rlimit memory{kMemory, kMemory}, no_core{0, 0};
-  setrlimit(RLIMIT_AS, &memory);
+  if (kLimitsMemory) setrlimit(RLIMIT_AS, &memory);
   setrlimit(RLIMIT_CORE, &no_core);
   for (const int number : {SIGINT, SIGTERM}) signal(number, SIG_IGN);  // the parent decides
   std::string result;

@@ -8,7 +8,8 @@
 namespace campaign {
 
 /// Runs `work` in a child process, so that whatever happens there is only a result here.
-/// Requires: the calling process has one thread. Memory of a child is limited to 4 GB.
+/// Requires: the calling process has one thread. Memory of a child is limited to 4 GB,
+/// but not with sanitizers.
 class Child {
  public:
   /// What `work` returns is for `outcome`.

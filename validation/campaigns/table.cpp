@@ -39,7 +39,8 @@ std::string table(const Plan& plan, const Amount& amount, const Summary& summary
       all.cases, plan.families.size(), amount.first, amount.first + amount.cases - 1, plan.seed,
       commit, all.failures, summary.seconds);
   if (all.cases < amount.cases)
-    text += fmt::format("\n**Ended early**: {} cases were asked for.\n", amount.cases);
+    text += fmt::format("\n**Ended early**: {} cases were asked for; `--first {}` goes on.\n",
+                        amount.cases, amount.first + all.cases);
   if (summary.slow > 0) {
     text += fmt::format("\n{} cases took too long or crashed in a batch and passed alone.\n",
                         summary.slow);
