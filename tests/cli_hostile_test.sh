@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# tests/cli_hostile_test.sh PLUMBLINE: files, disks and arguments at their worst. The tool says in a line what is wrong,
+# tests/cli_hostile_test.sh PLUMBLINE [SANITIZER]: files, disks and arguments at their worst. The tool says in a line what is wrong,
 # returns 2, and leaves nothing behind.
 # shellcheck disable=SC2016 # expressions in single quotes are for the shell within
 set -uo pipefail
 plumbline=$1
+sanitizer=${2-}
+memory=(--max-memory 500M)
+[[ -z $sanitizer ]] || memory=() # it takes terabytes of addresses for itself
 # shellcheck source-path=SCRIPTDIR source=support/expect.sh
 source "$(dirname "${BASH_SOURCE[0]}")/support/expect.sh"
 triangle='0,0,4,0\n4,0,4,4\n4,4,0,0\n'
@@ -53,7 +56,7 @@ for ending in svg svgz dxf lines json geojson wkt wkb csv; do
   mkfifo pipe.$ending
   expect "a pipe as .$ending is refused, not waited for" 2 'not a regular file' timeout 10 "$plumbline" info pipe.$ending
   truncate -s 10G sparse.$ending
-  expect "10 GB of nothing as .$ending are refused in 500 MB" 2 '^plumbline: (sparse|out of memory)' timeout 60 "$plumbline" info sparse.$ending --max-memory 500M
+  expect "10 GB of nothing as .$ending are refused in 500 MB" 2 '^plumbline: (sparse|out of memory)' timeout 60 "$plumbline" info sparse.$ending "${memory[@]}"
   rm -rf ./*."$ending" codes
 done
 triangle >a.lines
@@ -61,7 +64,7 @@ for ending in json geojson wkt wkb csv; do
   : >empty.$ending
   expect "an empty .$ending as a result is refused or differs" "$([[ $ending =~ ^(wkt|wkb|csv)$ ]] && echo 1 || echo 2)" '(plumbline: empty|disagree)' "$plumbline" check a.lines --against empty.$ending
   truncate -s 10G sparse.$ending
-  expect "10 GB of nothing as a result in .$ending" 2 '^plumbline: (sparse|out of memory)' timeout 60 "$plumbline" check a.lines --against sparse.$ending --max-memory 500M
+  expect "10 GB of nothing as a result in .$ending" 2 '^plumbline: (sparse|out of memory)' timeout 60 "$plumbline" check a.lines --against sparse.$ending "${memory[@]}"
   rm -f ./*."$ending"
 done
 expect "a device is no drawing" 2 'not a regular file' timeout 10 "$plumbline" info /dev/zero
@@ -89,6 +92,77 @@ elif [[ -r /proc/self/mem ]]; then
   echo "skipped: root may read and write where permissions say no"
 fi
 leaves "they leave nothing" a.lines
+
+# ---- Limits
+"$plumbline" random 5000 -o many.lines >/dev/null
+if [[ -z $sanitizer ]]; then
+  for size in 1K 1M 4M 8M 12M 16M 20M 22M 24M 26M 28M 30M 32M 36M 40M 48M; do
+    status=0
+    output=$("$plumbline" check many.lines -o out.json --max-memory $size 2>&1) || status=$?
+    [[ $status -lt 2 || ($status == 2 && $output =~ (out of memory: more than --max-memory $size|pthread_create)) ]] ||
+      failed "--max-memory $size: exit $status: $(tail -c 300 <<<"$output")"
+    rm -f out.json
+  done
+  expect "little memory is too little" 2 '^plumbline: out of memory: more than --max-memory 4M$' "$plumbline" info many.lines --max-memory 4M
+  expect "much is enough" 0 '5000 segments' "$plumbline" info many.lines --max-memory 2GiB
+fi
+expect "segments up to the limit are read" 0 '5000 segments' "$plumbline" info many.lines --max-segments 5000
+for command in info arrange check lar; do
+  expect "one more is not: $command" 2 'more than 4999 segments' "$plumbline" $command many.lines --max-segments 4999
+done
+expect "nor cells: eval" 2 'more than 4999 segments or cells' "$plumbline" eval many.lines --max-segments 4999
+{
+  printf '{"root": "s60", "defs": {"s0": {"lines": [[[0, 0], [1, 1]]]}'
+  for i in {1..60}; do printf ', "s%d": {"body": [{"ref": "s%d"}, {"ref": "s%d"}]}' "$i" $((i - 1)) $((i - 1)); done
+  printf '}}'
+} >bomb.json
+for command in info arrange check lar eval; do
+  expect "2^60 segments of a small file are refused at once: $command" 2 'more than 1000000 segments' timeout 60 "$plumbline" $command bomb.json --max-segments 1000000 "${memory[@]}"
+  expect "and in time without a limit of theirs: $command" 2 'timeout|too large|out of memory' timeout 60 "$plumbline" $command bomb.json --timeout 0.5 "${memory[@]}"
+done
+rm many.lines bomb.json
+
+# ---- Contents
+deep() { # deep OPEN CLOSE: 100,000 of each
+  printf "%0.s$1" {1..100000}
+  printf "%0.s$2" {1..100000}
+}
+deep '[' ']' >deep.json
+expect "100,000 nested arrays are no drawing" 2 'deep\.json' "$plumbline" info deep.json
+deep '{"a":' '}' >deep.geojson
+expect "nor are as many objects, left open" 2 'deep\.geojson' "$plumbline" info deep.geojson
+{ printf '<svg>' && deep '<g>' '</g>' && printf '</svg>'; } >deep.svg
+expect "100,000 nested groups are an empty drawing" 0 '0 segments' "$plumbline" arrange deep.svg
+{ deep 'GEOMETRYCOLLECTION(' ')'; } >deep.wkt
+expect "100,000 nested collections are refused or empty" 2 'deep\.wkt' "$plumbline" arrange deep.wkt
+digits=$(printf '9%.0s' {1..100000})
+for _ in {1..10}; do printf '%s' "$digits"; done >million
+printf '%s,0,1,1\n0,0,1,1\n' "$(cat million)" >digits.lines
+expect "a number of a million digits is rejected, the rest goes on" 0 '1 segments, 1 rejected' "$plumbline" arrange digits.lines
+printf '{"V": [[%s, 0], [1, 1]], "EV": [[0, 1]]}' "$(cat million)" >digits.json
+expect "or refused in JSON" 2 'digits\.json' "$plumbline" arrange digits.json
+triangle >a.lines
+expect "or in a result" 2 'digits\.json' "$plumbline" check a.lines --against digits.json
+for number in 1e999999999 -1e999999999 1e-999999999 NaN nan Infinity -inf 0x1p3 1e 1/0; do
+  for kind in '{"V": [[%s, 0], [1, 1]], "EV": [[0, 1]]}' '{"type": "LineString", "coordinates": [[%s, 0], [1, 1]]}' \
+    '{"root": "a", "defs": {"a": {"lines": [[[%s, 0], [1, 1]]]}}}'; do
+    # shellcheck disable=SC2059
+    printf "$kind" "$number" >number.json
+    status=0
+    output=$("$plumbline" arrange number.json 2>&1) || status=$?
+    [[ $status == 2 || ($status == 0 && $output == *"1 rejected"*) ]] || failed "$(cat number.json): exit $status: $output"
+    status=0
+    output=$("$plumbline" check a.lines --against number.json 2>&1) || status=$?
+    [[ $status == 2 || ($status == 1 && $output == *rejected*) ]] || failed "against $(cat number.json): exit $status: $output"
+  done
+done
+echo '{"V": [], "EV": [], "FV": []}' >nothing.json
+expect "a result of nothing differs" 1 'disagree' "$plumbline" check a.lines --against nothing.json
+echo '{"root": "a", "defs": {"a": {"body": []}}}' >nothing.json
+expect "a structure of nothing is an empty drawing" 0 '0 segments' "$plumbline" arrange nothing.json
+echo '{"root": "", "defs": {"": {"body": [{"ref": ""}]}}}' >nothing.json
+expect "a structure within itself, without a name" 2 'cycle of references' "$plumbline" arrange nothing.json
+rm ./*
 
 # ---- Outputs
 triangle >a.lines
@@ -162,7 +236,7 @@ for option in "info a.svg --flatten" "info a.svg --angle" "info a.lines --thread
   for value in 0 -0 -1 1 1e-300 1e300 1e9999 99999999999999999999999999999999 -99999999999999999999999999999999 18446744073709551615 18446744073709551616 2147483648 0x10 1/3 1/0 007 +1; do
     status=0
     # shellcheck disable=SC2086
-    output=$(timeout 60 "$plumbline" $option "$value" --max-memory 2G 2>&1 | tail -c 2000; exit "${PIPESTATUS[0]}") || status=$?
+    output=$(timeout 60 "$plumbline" $option "$value" "${memory[@]}" 2>&1 | tail -c 2000; exit "${PIPESTATUS[0]}") || status=$?
     [[ $status -le 2 && $output != *internal* ]] || failed "$option '$value': exit $status: $output"
   done
   # shellcheck disable=SC2086

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kFile =
     "A drawing: .svg, .svgz, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv";
 
-/// A number of bytes: "512M", "4G", "1.5GiB"; powers of 1024.
+/// A number of bytes: "512M", "4G", "4GiB"; powers of 1024.
 std::uint64_t bytes(const std::string& size) {
   std::string number = size;
   const bool is_negative = size.find('-') != size.npos;

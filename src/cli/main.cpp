@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include "cli/arguments.hpp"
@@ -47,6 +48,11 @@ ExitCode guarded(int argc, char** argv) {
     fmt::print(stderr, "plumbline: {}\n", error.what());
     return kBadInput;
   } catch (const std::exception& error) {
+    // TBB cannot start a thread: a limit of the user's, on memory or on processes.
+    if (std::string_view(error.what()).starts_with("pthread_create has failed")) {
+      fmt::print(stderr, "plumbline: {}\n", error.what());
+      return kBadInput;
+    }
     fmt::print(stderr, "plumbline: internal error: {}\n", error.what());
     return kInternal;
   }
