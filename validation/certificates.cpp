@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -133,6 +134,8 @@ struct Tally {
 
 class Campaign {
  public:
+  explicit Campaign(std::string only) : only_(std::move(only)) {}
+
   void run(std::size_t count, unsigned seed) {
     for (std::size_t done = 0; done < count; ++seed) {
       const std::vector<std::string>& families = random_segments::families();
@@ -169,7 +172,10 @@ class Campaign {
   /// Whether it changed anything.
   bool damage(const Right& right, const std::string& name, Random& random) {
     const auto& kinds = certificate_damage::kinds();
-    const std::size_t k = below(random, kinds.size() + 1);
+    const auto only = std::find_if(kinds.begin(), kinds.end(),
+                                   [&](const auto& kind) { return kind.name == only_; });
+    const std::size_t k = only != kinds.end() ? static_cast<std::size_t>(only - kinds.begin())
+                                              : below(random, kinds.size() + 1);
     const std::string kind = k < kinds.size() ? kinds[k].name : "of a slightly different input";
     std::string text = k < kinds.size()
                            ? certificate_damage::damaged(right.certificate, kinds[k], random)
@@ -208,6 +214,7 @@ class Campaign {
     if (++failures_ <= kMostShown) std::cerr << name << ": " << what << '\n';
   }
 
+  std::string only_;
   std::size_t inputs_ = 0, failures_ = 0;
   std::map<std::string, Tally> tally_;
   std::map<std::string, std::size_t> reasons_;
@@ -220,7 +227,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: " << argv[0] << " COUNT [FIRST-SEED]\n";
     return 2;
   }
-  Campaign campaign;
+  Campaign campaign(argc > 3 ? argv[3] : "");
   campaign.run(std::stoul(argv[1]), argc > 2 ? static_cast<unsigned>(std::stoul(argv[2])) : 1);
   return campaign.report_all() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
