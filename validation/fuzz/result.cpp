@@ -5,15 +5,28 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include "plumbline/crosscheck.hpp"
 #include "plumbline/error.hpp"
+#include "result/readers.hpp"
 
 using namespace plumbline;
 
 namespace {
 
+/// Well-known binary, as bytes or hexadecimal, and CSV, by their first byte.
+std::optional<ForeignResult> read_binary_or_csv(std::string_view text) {
+  ByteStream bytes(text, {"fuzz", 1, 1});
+  if (text.starts_with('\0') || text.starts_with('\1') || text.starts_with('0'))
+    return read_features(bytes, read_wkb);
+  if (text.starts_with('w') || text.starts_with('x') || text.starts_with('"'))
+    return read_features(bytes, read_csv);
+  return std::nullopt;
+}
+
 ForeignResult read(std::string_view text) {
+  if (auto result = read_binary_or_csv(text)) return *std::move(result);
   const std::size_t start = text.find_first_not_of(" \r\n\t");
   if (start == std::string_view::npos) return read_wkt_result(text, "fuzz");
   if (text[start] != '{' && text[start] != '[') return read_wkt_result(text, "fuzz");
