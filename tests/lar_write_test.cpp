@@ -212,5 +212,5 @@ TEST_CASE("random segments as rows are read back as the same doubles") {
   write_file(file, to_lines(lines));
   CHECK(published::lines(evaluate(read(file))) == lines);
   std::filesystem::remove(file);
-  CHECK(to_lines({}).empty());
+  CHECK(to_lines(std::span<const lar::SegmentD>()).empty());
 }
