@@ -37,7 +37,7 @@ expect "an empty drawing is a drawing" 0 '0 vertices, 0 edges.*1 faces' "$plumbl
 expect "an empty drawing checks" 0 'agree' "$plumbline" check empty.svg --picture empty-check.svg
 leaves "the outputs are there, and nothing else" a.svg b.svg empty-check.svg empty.json empty.svg
 
-expect "a certificate comes with the command that checks it" 0 'eval .*segments.lines && plumbline-verify segments.lines x.certificate' "$plumbline" arrange "$examples/dwelling.svg" --certify x.certificate
+expect "a certificate comes with the command that checks it" 0 'eval .*dwelling.svg --flatten 0.5 -o x.certificate.lines && plumbline-verify x.certificate.lines x.certificate' "$plumbline" arrange "$examples/dwelling.svg" --flatten 0.5 --certify x.certificate
 expect "the segments are written exactly" 0 '9 segments' "$plumbline" eval "$examples/dwelling.svg" -o segments.lines
 expect "their certificate is that of the drawing" 0 'plumbline-verify segments.lines y' bash -c "'$plumbline' arrange segments.lines --certify y.certificate && cmp x.certificate y.certificate && rm x.certificate y.certificate segments.lines"
 expect "an unknown output format is refused before the work" 2 'json.*svg.*out\.txt' "$plumbline" arrange "$examples/dwelling.svg" -o out.txt

@@ -48,19 +48,19 @@ struct Rounding {
 /// proofs need pixels of one shape, and points at least one spacing apart stay apart. So ties
 /// go upwards on uniform grids.
 ///
-/// Guaranteed, and verified before it returns (`verify_rounding`), all **exact**:
+/// Guaranteed, and the first four verified before it returns (`verify_rounding`), all **exact**:
 /// - Grid: every coordinate is a number of the grid.
 /// - Movement: in x and in y, no vertex moves by more than spacing / 2; an edge's image, walked
 ///   from end to end, stays within spacing / 2 of the edge, walked at some pace.
 /// - Planarity: `validate` finds nothing; no vertex is in the interior of an edge.
-/// - Topology is kept up to merging: no vertex crosses an edge. Vertices merge, edges vanish or
-///   merge or bend at vertices, faces vanish or fall into parts, and nothing else happens.
+/// - Topology is kept up to merging: nothing gets into another face. Vertices merge, edges vanish
+///   or merge or bend at vertices, faces vanish or fall into parts, and nothing else happens.
 /// - Nothing moves without need: a complex that simple rounding keeps is simply rounded.
 /// - Idempotence: what this returned is rounded to itself, with the same incidences.
 /// - Determinism: the result depends on the complex and the grid alone; it is in canonical order.
 ///
-/// Not guaranteed: that vertices keep a distance from edges that they are not on; that a
-/// mirrored complex is rounded to the mirrored result (ties go upwards).
+/// Not guaranteed: a distance between vertices and edges; that simple rounding takes no loose piece
+/// past an antenna near it, in one face; that a mirrored complex has the mirrored result.
 ///
 /// Requires: a valid complex in canonical order, coordinates within kMaxCoordinateBits. Degenerate:
 /// a component that falls into one pixel becomes an isolated vertex. Cost: O(n log n) where simple

@@ -6,19 +6,35 @@
 #include "cli/print.hpp"
 #include "cli/safe_output.hpp"
 #include "plumbline/certificate.hpp"
+#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 namespace {
 
+/// The options with which a drawing becomes the same segments again.
+std::string reading_options(const ReadOptions& reading) {
+  std::string options;
+  if (sgn(reading.chord_tolerance) > 0)
+    options += " --flatten " + exact_text(reading.chord_tolerance);
+  if (reading.angle_bound != ReadOptions().angle_bound)
+    options += " --angle " + shortest_text(reading.angle_bound);
+  if (reading.visible_only) options += " --visible";
+  return options;
+}
+
 void write_certificate(const ArrangeArguments& arguments, const Drawing& drawing) {
   write_file(*arguments.certificate, certificate(drawing.complex, drawing.input));
   print_written(*arguments.certificate);
-  // The checker reads nothing but rows of four numbers.
+  // What was rejected, the checker may not be able to read.
   const bool is_plain = ending(arguments.file) == ".lines" && drawing.input.rejected.empty();
-  const std::string lines = is_plain ? arguments.file : "segments.lines";
+  const std::string file = line_text(arguments.file);
+  const std::string of = line_text(*arguments.certificate);
+  const std::string lines = is_plain ? file : of + ".lines";
   fmt::print("to check it: {}plumbline-verify {} {}\n",
-             is_plain ? "" : fmt::format("plumbline eval {} -o {} && ", arguments.file, lines),
-             lines, *arguments.certificate);
+             is_plain ? ""
+                      : fmt::format("plumbline eval {}{} -o {} && ", file,
+                                    reading_options(arguments.reading), lines),
+             lines, of);
 }
 
 }  // namespace

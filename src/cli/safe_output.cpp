@@ -60,6 +60,15 @@ SafeOutput safe_output(const ArrangeArguments& arguments, const Drawing& drawing
   SafeOutput output;
   output.line = line(drawing, arguments.grid, rounding);
   const std::string kind = ending(*arguments.output);
+  if (arguments.grid.decimals && !is_kept_by_simple_rounding(rounding.complex, Grid{})) {
+    if (kind == ".svg") {
+      throw Error(ErrorCode::BadInput,
+                  "a picture holds doubles, which so many --decimals are too fine for; ask for "
+                  "fewer, or for a .json or .lines file",
+                  {}, *arguments.output);
+    }
+    output.line += "\nread as doubles, these decimals are no valid complex";
+  }
   if (kind == ".json") {
     output.content = to_json(drawing.complex, drawing.input, arguments.grid, rounding);
   } else if (kind == ".svg") {

@@ -1,4 +1,5 @@
-// Checks a rounding by definitions alone: nothing here knows how it was made.
+// Checks a rounding by definitions alone: of how it was made nothing is known but the faces'
+// labels.
 
 #include <algorithm>
 

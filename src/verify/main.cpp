@@ -1,8 +1,11 @@
 // plumbline-verify: checks a certificate against the input that it is of.
 
+#include <gmp.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -67,6 +70,21 @@ std::optional<std::string> content(const char* name) {
   }
 }
 
+[[noreturn]] void end_without_memory() {
+  complain("out of memory");
+  std::_Exit(kBad);
+}
+void* allocate(std::size_t size) {
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) end_without_memory();
+  return memory;
+}
+void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
+  void* const memory = std::realloc(old, size);
+  if (memory == nullptr) end_without_memory();
+  return memory;
+}
+
 int run(const char* input_name, const char* certificate_name) {
   const std::optional<std::string> input = content(input_name);
   if (!input) return kBad;
@@ -94,6 +112,8 @@ int run(const char* input_name, const char* certificate_name) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // GMP would abort.
+  mp_set_memory_functions(allocate, reallocate, nullptr);
   const bool asks_for_help = std::any_of(argv + 1, argv + argc, [](const char* argument) {
     return argument == std::string_view("--help") || argument == std::string_view("-h");
   });

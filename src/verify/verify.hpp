@@ -33,7 +33,8 @@ struct Verdict {
 /// Whether `certificate` is the certificate of `input`, both as texts: docs/certificate.md says
 /// what that means and what is proved. **Exact**. Any two texts are checked or refused, however
 /// hostile. Requires: texts below 4 GiB each (else refused). Cost: O(n log n) comparisons,
-/// near-linear. Throws: std::bad_alloc only.
+/// near-linear. Throws: std::bad_alloc only; GMP
+/// itself ends the program where memory runs out, unless told otherwise.
 Verdict verify(std::string_view input, std::string_view certificate);
 
 /// A verdict in plain English: what was proved, or what is wrong where. Ends in a line break.
