@@ -60,4 +60,4 @@ endif()
 # The longest start first.
 set_tests_properties("sources: clang-tidy finds nothing"
                      "package: an installed copy is found, linked and run"
-                     PROPERTIES TIMEOUT 1200 COST 1000)
+                     PROPERTIES TIMEOUT 2400 COST 1000)
