@@ -1,6 +1,6 @@
 // Affine maps. Facts about rotations are checked in MPFR, at 400 bits.
 
-#include "plumbline/affine.hpp"
+#include "plumbline/structure/affine.hpp"
 
 #include <mpfr.h>
 

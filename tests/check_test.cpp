@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "plumbline/arrange.hpp"
-#include "plumbline/lar.hpp"
+#include "plumbline/engines/lar.hpp"
 #include "random_segments.hpp"
 #include "support/segments.hpp"
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "plumbline/arrange.hpp"
-#include "plumbline/boundary.hpp"
+#include "plumbline/chains.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "plumbline/arrange.hpp"
-#include "plumbline/lar.hpp"
-#include "plumbline/published_stages.hpp"
+#include "plumbline/engines/inters_stages.hpp"
+#include "plumbline/engines/lar.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "plumbline/lar_stages.hpp"
-#include "plumbline/published_stages.hpp"
+#include "plumbline/engines/inters_stages.hpp"
+#include "plumbline/engines/lar_stages.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
-#include "plumbline/published.hpp"
-#include "plumbline/published_vcode.hpp"
+#include "plumbline/engines/inters.hpp"
+#include "plumbline/engines/inters_vcode.hpp"
 
 using namespace plumbline;
 namespace published = plumbline::lar::published;

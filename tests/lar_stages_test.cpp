@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "plumbline/lar_stages.hpp"
+#include "plumbline/engines/lar_stages.hpp"
 #include "support/lar_graph.hpp"
 
 using namespace plumbline;

@@ -1,4 +1,4 @@
-#include "plumbline/lar.hpp"
+#include "plumbline/engines/lar.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

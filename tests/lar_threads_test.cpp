@@ -2,9 +2,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "lar/parallel.hpp"
-#include "plumbline/lar.hpp"
-#include "plumbline/published.hpp"
+#include "engines/lar/stages/parallel.hpp"
+#include "plumbline/engines/inters.hpp"
+#include "plumbline/engines/lar_show.hpp"
+#include "plumbline/engines/lar.hpp"
 #include "plumbline/write.hpp"
 #include "workloads.hpp"
 
@@ -33,7 +34,7 @@ TEST_CASE("the repaired pipeline's stages do not depend on the number of threads
 TEST_CASE("the published pipeline's stages do not depend on the number of threads") {
   const auto* const name = GENERATE(from_range(std::begin(kWorkloads), std::end(kWorkloads)));
   INFO(name);
-  const std::vector<lar::SegmentD> lines = lar::published::lines(workloads::make(name));
+  const std::vector<SegmentD> lines = lar::published::lines(workloads::make(name));
   const auto run = [&](std::size_t threads) {
     return to_json(lar::published::run(lines, {4, 0.001, threads}));
   };

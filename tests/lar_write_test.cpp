@@ -4,12 +4,13 @@
 #include <pugixml.hpp>
 #include <set>
 
+#include "engines/lar/show/solid.hpp"
+#include "plumbline/engines/lar_show.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
 #include "plumbline/write.hpp"
 #include "support/recorded.hpp"
 #include "support/segments.hpp"
-#include "write/lar_solid.hpp"
 
 using namespace plumbline;
 namespace published = plumbline::lar::published;
@@ -206,11 +207,11 @@ TEST_CASE("the boundary of chosen faces is drawn, common edges are not in it") {
 }
 
 TEST_CASE("random segments as rows are read back as the same doubles") {
-  const std::vector<lar::SegmentD> lines = published::random_lines(100, 0.1, 3);
+  const std::vector<SegmentD> lines = published::random_lines(100, 0.1, 3);
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / "plumbline_lar_write_test.lines";
   write_file(file, to_lines(lines));
   CHECK(published::lines(evaluate(read(file))) == lines);
   std::filesystem::remove(file);
-  CHECK(to_lines(std::span<const lar::SegmentD>()).empty());
+  CHECK(to_lines(std::span<const SegmentD>()).empty());
 }

@@ -2,14 +2,14 @@
 // recorded outputs of the original larcc (cases larCuboids, cubes-2x2x2-boundary, larEmbed, test09,
 // test10) or follow from counting.
 
-#include "plumbline/model.hpp"
+#include "plumbline/structure/model.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>
 #include <set>
 
-#include "plumbline/boundary.hpp"
+#include "plumbline/chains.hpp"
 #include "plumbline/error.hpp"
 
 using plumbline::boundary_cells;

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "plumbline/arrange.hpp"
-#include "plumbline/crosscheck.hpp"
+#include "plumbline/compare.hpp"
 #include "plumbline/error.hpp"
 
 using namespace plumbline;

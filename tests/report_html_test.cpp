@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "output/page/page_arrays.hpp"
 #include "plumbline/report.hpp"
-#include "report/page_arrays.hpp"
 #include "support/checks.hpp"
 
 using namespace plumbline;

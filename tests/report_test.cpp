@@ -7,10 +7,10 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "plumbline/text.hpp"
-#include "report/finding_labels.hpp"
+#include "output/svg/finding_labels.hpp"
+#include "output/text/escape.hpp"
+#include "plumbline/error.hpp"
 #include "support/checks.hpp"
-#include "write/escape.hpp"
 
 using namespace plumbline;
 

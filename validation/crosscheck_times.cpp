@@ -9,7 +9,7 @@
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
-#include "plumbline/lar.hpp"
+#include "plumbline/engines/lar.hpp"
 #include "workloads.hpp"
 
 using namespace plumbline;

@@ -8,8 +8,8 @@
 #include <iostream>
 
 #include "plumbline/arrange.hpp"
-#include "plumbline/lar.hpp"
-#include "plumbline/published.hpp"
+#include "plumbline/engines/inters.hpp"
+#include "plumbline/engines/lar.hpp"
 #include "workloads.hpp"
 
 using namespace plumbline;

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "plumbline/crosscheck.hpp"
+#include "plumbline/compare.hpp"
+#include "plumbline/engines/files.hpp"
+#include "plumbline/engines/inters.hpp"
 #include "plumbline/ladder.hpp"
-#include "plumbline/published.hpp"
-#include "plumbline/result.hpp"
 #include "plumbline/structure.hpp"
 
 namespace plumbline {
@@ -32,20 +32,13 @@ struct Check {
   bool agree() const { return crosscheck.agree(); }
 };
 
-/// What the published pipeline answers.
-enum class PublishedResult {
-  LarFromLines,     ///< faces of the component with most edges
-  AllComponents,    ///< faces of all components, as in the document's tests 08 and 09
-  CellsFromCycles,  ///< cells with holes; every component must be a simple cycle
-};
-
 /// Which run of the published pipeline to check.
 struct PublishedCheck {
   int decimals = lar::published::kDecimals;
   PublishedResult result = PublishedResult::LarFromLines;
   /// What the pipeline is given for the input's segments, in their order; by default their nearest
   /// doubles. For maps done in floats, as that to the unit square.
-  std::optional<std::vector<lar::SegmentD>> lines;
+  std::optional<std::vector<SegmentD>> lines;
   /// The SVG text that the input was read from: then what the published svg2lines would misread is
   /// found, too.
   std::optional<std::string> svg = std::nullopt;

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "plumbline/detail/lists.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/geometry.hpp"
-#include "plumbline/lists.hpp"
 
 namespace plumbline {
 
@@ -105,6 +105,15 @@ ExactComplex exact(const FloatComplex& complex);
 /// 32 hexadecimal digits that depend on the canonical exact complex (coordinates and incidences;
 /// not on sources, engine, input order, duplicates or platform). XXH3-128 of its canonical bytes.
 std::string signature(const ExactComplex& complex);
+
+/// Numbers of cells, for the report: faces with the unbounded one, holes of bounded faces only (a
+/// hole of the unbounded face is the outline of a component), the greatest nesting depth.
+struct Counts {
+  std::size_t vertices = 0, edges = 0, faces = 0, holes = 0, isolated_vertices = 0;
+  std::size_t components = 0, antennas = 0, depth = 0;
+  friend bool operator==(const Counts&, const Counts&) = default;
+};
+Counts counts(const Incidences& complex, std::size_t vertex_count);
 
 /// Exact signed areas, per cycle, by the shoelace formula (positive: counter-clockwise).
 std::vector<Rational> cycle_areas(const ExactComplex& complex);

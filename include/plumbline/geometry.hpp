@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/iterator.hpp"
+#include "plumbline/detail/iterator.hpp"
+#include "plumbline/detail/source.hpp"
 #include "plumbline/number.hpp"
-#include "plumbline/source.hpp"
 
 namespace plumbline {
 
@@ -64,6 +64,14 @@ struct Segment {
   Point b;
 
   friend bool operator==(const Segment&, const Segment&) = default;
+};
+
+/// A straight segment with double ends.
+struct SegmentD {
+  PointD a;
+  PointD b;
+
+  friend bool operator==(const SegmentD&, const SegmentD&) = default;
 };
 
 /// A point as it is stored: decimals take no memory of their own.

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "plumbline/model.hpp"
+#include "plumbline/structure/model.hpp"
 
 namespace plumbline {
 

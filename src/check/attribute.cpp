@@ -9,7 +9,8 @@
 #include <map>
 #include <set>
 
-#include "check/wrong_cells.hpp"
+#include "compare/wrong_cells.hpp"
+#include "engines/lar/explain/cells.hpp"
 
 namespace plumbline::checking {
 namespace {
@@ -174,7 +175,7 @@ std::size_t Attribution::owner_of_invalid(const Finding& finding) const {
   for (std::size_t k = outputs_.size() - 1; k > 0; --k) {
     if (outputs_[k].stage != Stage::Intersect) continue;
     std::set<Ends> here;
-    for (const lar::SegmentD& s : outputs_[changed(k)].work.segments)
+    for (const SegmentD& s : outputs_[changed(k)].work.segments)
       if (const Ends e = ends(s.a, s.b); bad.contains(e)) here.insert(e);
     if (here.size() < bad.size() || bad.empty()) break;
     owner = k;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "check/stages.hpp"
+#include "engine/stages.hpp"
 
 namespace plumbline::checking {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "check/attribute.hpp"
-#include "check/line_work.hpp"
-#include "check/published_run.hpp"
-#include "check/repaired_run.hpp"
-#include "check/svg_lines.hpp"
+#include "engine/line_work.hpp"
+#include "engines/inters/explain/run.hpp"
+#include "engines/inters/explain/svg_lines.hpp"
+#include "engines/lar/explain/run.hpp"
 #include "plumbline/arrange.hpp"
-#include "plumbline/lar.hpp"
+#include "plumbline/engines/lar.hpp"
 
 namespace plumbline {
 namespace {

@@ -9,8 +9,8 @@
 #include <iterator>
 #include <optional>
 
+#include "plumbline/engines/lar.hpp"
 #include "plumbline/error.hpp"
-#include "plumbline/lar.hpp"
 
 namespace plumbline::checking {
 namespace {

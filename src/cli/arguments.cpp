@@ -6,7 +6,6 @@
 
 #include "cli/options.hpp"
 #include "plumbline/error.hpp"
-#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "cli/print.hpp"
 #include "cli/safe_output.hpp"
 #include "plumbline/certificate.hpp"
-#include "plumbline/text.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline::cli {
 namespace {

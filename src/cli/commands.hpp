@@ -6,9 +6,9 @@
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
+#include "plumbline/engines/lar_show.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/round.hpp"
-#include "plumbline/write.hpp"
 
 namespace plumbline::cli {
 

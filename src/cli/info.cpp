@@ -11,7 +11,7 @@
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
-#include "plumbline/text.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline::cli {
 namespace {

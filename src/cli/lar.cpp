@@ -6,7 +6,6 @@
 #include "cli/progress.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/plumbline.hpp"
-#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "cli/watchdog.hpp"
 #include "plumbline/error.hpp"
-#include "plumbline/text.hpp"
 
 namespace plumbline::cli {
 namespace {

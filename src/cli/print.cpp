@@ -4,7 +4,7 @@
 
 #include <map>
 #include <utility>
-#include "plumbline/text.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline::cli {
 

@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "plumbline/text.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline::cli {
 namespace {

@@ -2,7 +2,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
-#include "plumbline/published.hpp"
+#include "plumbline/engines/inters.hpp"
+#include "plumbline/write.hpp"
 
 namespace plumbline::cli {
 

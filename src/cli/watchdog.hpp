@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "cli/commands.hpp"
-#include "plumbline/write.hpp"
+#include "plumbline/detail/new_file.hpp"
 
 namespace plumbline::cli {
 

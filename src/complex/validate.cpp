@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "complex/certify.hpp"
+#include "complex/planarity.hpp"
 
 namespace plumbline {
 

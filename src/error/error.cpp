@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "error/shown_text.hpp"
-#include "plumbline/text.hpp"
 
 namespace plumbline {
 namespace {

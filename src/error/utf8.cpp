@@ -2,7 +2,7 @@
 
 #include "error/utf8.hpp"
 
-#include "plumbline/text.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "plumbline/source.hpp"
+#include "plumbline/detail/source.hpp"
 
 namespace plumbline {
 namespace {

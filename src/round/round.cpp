@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "complex/certify.hpp"
+#include "complex/planarity.hpp"
 #include "complex/validate.hpp"
 #include "plumbline/error.hpp"
 #include "round/grid.hpp"

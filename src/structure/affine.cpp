@@ -1,4 +1,4 @@
-#include "plumbline/affine.hpp"
+#include "plumbline/structure/affine.hpp"
 
 #include <algorithm>
 #include <string>

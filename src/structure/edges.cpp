@@ -4,7 +4,7 @@
 #include <string>
 
 #include "plumbline/error.hpp"
-#include "plumbline/model.hpp"
+#include "plumbline/structure/model.hpp"
 
 namespace plumbline {
 namespace {

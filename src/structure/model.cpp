@@ -1,4 +1,4 @@
-#include "plumbline/model.hpp"
+#include "plumbline/structure/model.hpp"
 
 #include <algorithm>
 #include <map>

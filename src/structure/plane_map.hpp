@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "plumbline/affine.hpp"
+#include "plumbline/structure/affine.hpp"
 
 namespace plumbline {
 

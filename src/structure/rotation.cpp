@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "plumbline/affine.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/structure/affine.hpp"
 #include "structure/continued_fraction.hpp"
 
 namespace plumbline {

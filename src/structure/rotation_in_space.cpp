@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "plumbline/affine.hpp"
+#include "plumbline/structure/affine.hpp"
 #include "structure/continued_fraction.hpp"
 
 namespace plumbline {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plumbline/lar_stages.hpp"
+#include "plumbline/engines/lar_stages.hpp"
 #include "segments.hpp"
 
 namespace plumbline::lar {

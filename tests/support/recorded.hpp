@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/published.hpp"
+#include "plumbline/engines/inters.hpp"
 
 /// A file of tests/data.
 inline rapidjson::Document recorded(const std::string& name) {
@@ -30,8 +30,8 @@ inline plumbline::PointD recorded_point(const rapidjson::Value& value) {
   return {value[0].GetDouble(), value[1].GetDouble()};
 }
 
-inline std::vector<plumbline::lar::SegmentD> recorded_lines(const rapidjson::Value& value) {
-  std::vector<plumbline::lar::SegmentD> lines;
+inline std::vector<plumbline::SegmentD> recorded_lines(const rapidjson::Value& value) {
+  std::vector<plumbline::SegmentD> lines;
   for (const auto& line : value.GetArray())
     lines.push_back({recorded_point(line[0]), recorded_point(line[1])});
   return lines;

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "plumbline/affine.hpp"
 #include "plumbline/complex.hpp"
+#include "plumbline/structure/affine.hpp"
 
 /// What an exact complex becomes when its input is changed in a known way; all results are
 /// canonical.

@@ -1,15 +1,15 @@
 // Results of other programs: whatever a file says, it is refused, or it can be validated and held
 // against a drawing. How a text begins, and words in it, tell the format.
 
-#include "plumbline/result.hpp"
+#include "plumbline/engines/files.hpp"
 
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 
-#include "plumbline/crosscheck.hpp"
+#include "engines/files/readers.hpp"
+#include "plumbline/compare.hpp"
 #include "plumbline/error.hpp"
-#include "result/readers.hpp"
 
 using namespace plumbline;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mutations/parts.hpp"
-#include "plumbline/crosscheck.hpp"
+#include "plumbline/compare.hpp"
 
 /// Ways to break a right result, each with what the cross-check must call it.
 namespace plumbline::mutations {

@@ -1,9 +1,9 @@
 #pragma once
 
-// Found: layers above, a private header.
-#include "lar/stages.hpp"
+// Found: rooms below, a private header.
+#include "geometry/text.hpp"
 #include "plumbline/complex.hpp"
-#include "plumbline/lar_stages.hpp"
+#include "plumbline/engines/lar_stages.hpp"
 // Allowed.
 #include <vector>
 

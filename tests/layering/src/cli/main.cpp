@@ -1,6 +1,6 @@
 // Found: a private header, a path that goes round the table.
-#include "../lar/stages.hpp"
-#include "report/picture.hpp"
+#include "../engines/lar/stages/points.hpp"
+#include "output/svg/picture.hpp"
 // Allowed.
 #include "cli/options.hpp"
 #include "plumbline/plumbline.hpp"

@@ -1,0 +1,68 @@
+// The cross-check: validity of the float result by itself, then the correspondence, step by step.
+
+#include "plumbline/compare.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "compare/steps.hpp"
+
+namespace plumbline {
+namespace {
+
+std::size_t matched(const auto& matches) {
+  return static_cast<std::size_t>(
+      std::count_if(matches.begin(), matches.end(), [](auto id) { return id.valid(); }));
+}
+
+/// The doubles as the rationals that they are, in the canonical order that they are in already.
+ExactComplex exact_in_order(const FloatComplex& complex) {
+  ExactComplex result;
+  static_cast<Incidences&>(result) = complex;
+  result.vertices.reserve(complex.vertices.size());
+  for (const PointD& p : complex.vertices) result.vertices.push_back(exact(p));
+  return result;
+}
+
+}  // namespace
+
+Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
+                      double tolerance) {
+  return crosscheck(exact_complex, exact_in_order(float_complex), tolerance);
+}
+
+Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& other_complex,
+                      double tolerance, Compared compared) {
+  const matching::Sides sides = matching::make_sides(exact_complex, other_complex, tolerance);
+  Crosscheck result;
+  result.tolerance = tolerance;
+  result.compared = compared;
+  result.exact_counts = counts(exact_complex, exact_complex.vertices.size());
+  result.float_counts = counts(other_complex, other_complex.vertices.size());
+  const auto append = [&](std::vector<Finding> findings) {
+    std::move(findings.begin(), findings.end(), std::back_inserter(result.findings));
+  };
+  const auto next_number = [&] { return result.findings.size() + 1; };
+
+  append(matching::invalidities(sides, compared));
+  result.float_valid = result.findings.empty();
+  if (compared == Compared::All) append(matching::miscoverings(sides, result.findings));
+  const matching::VertexMatch vertices = matching::match_vertices(sides, next_number());
+  append(vertices.findings);
+  const matching::EdgeMatch edges = matching::match_edges(sides, vertices, next_number());
+  append(edges.findings);
+  result.matched_vertices = matched(vertices.match[matching::Exact]) - vertices.moved_count;
+  result.matched_edges = matched(edges.match[matching::Exact]);
+  result.largest_displacement = nearest_sqrt(vertices.largest_squared);
+  if (compared == Compared::Graph) return result;
+
+  const matching::CycleMatch cycles = matching::match_cycles(sides, edges);
+  const matching::FaceMatch faces =
+      matching::match_faces(sides, vertices, edges, cycles, result.float_valid);
+  append(faces.findings);
+  append(matching::nesting(sides, vertices, edges, cycles, faces));
+  result.matched_faces = faces.same;
+  return result;
+}
+
+}  // namespace plumbline

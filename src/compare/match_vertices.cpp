@@ -1,0 +1,224 @@
+// Matches vertices one to one and says what became of the others.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compare/moved_vertices.hpp"
+#include "compare/near_vertices.hpp"
+#include "compare/sole_neighbours.hpp"
+#include "compare/steps.hpp"
+
+namespace plumbline::matching {
+namespace {
+
+struct Candidate {
+  VertexId exact_vertex;
+  Near near;  ///< of the float complex
+};
+
+VertexMatch nothing_matched(const Sides& sides) {
+  VertexMatch result;
+  for (const Side side : kBothSides) {
+    result.match[side].resize(sides[side].vertices.size());
+    result.number[side].resize(sides[side].vertices.size());
+  }
+  return result;
+}
+
+void match(VertexMatch& result, VertexId exact_vertex, VertexId float_vertex) {
+  result.match[Exact][exact_vertex] = float_vertex;
+  result.match[Float][float_vertex] = exact_vertex;
+}
+
+/// Matches equal vertices: nothing is nearer. Both lists are ascending.
+void match_equal(VertexMatch& result, const Sides& sides) {
+  const FilteredPoints &exacts = sides.points[Exact], &floats = sides.points[Float];
+  for (std::size_t v = 0, w = 0; v < exacts.size() && w < floats.size();) {
+    const PointD &p = exacts.rough(v), &q = floats.rough(w);
+    if (p.x != q.x) {
+      ++(p.x < q.x ? v : w);
+    } else if (exacts[v] == floats[w]) {
+      match(result, VertexId(v++), VertexId(w++));
+    } else {
+      ++(exacts[v] < floats[w] ? v : w);
+    }
+  }
+}
+
+/// Matches the vertices that have no choice; returns whether each exact vertex is done with.
+std::vector<bool> match_sole_pairs(VertexMatch& result, const Sides& sides) {
+  std::vector<bool> is_done(sides[Exact].vertices.size());
+  for (std::size_t v = 0; v < is_done.size(); ++v) is_done[v] = result.match[Exact][v].valid();
+  const double slack = distance_slack(sides.points[Exact], sides.points[Float]);
+  double farthest = 0;
+  const auto exact_distance = [&](const SolePair& pair) {
+    return squared_distance(sides.points[Exact][pair.exact], sides.points[Float][pair.other]);
+  };
+  std::vector<SolePair> pairs =
+      sole_pairs(sides.points[Exact], sides.points[Float], sides.tolerance);
+  std::erase_if(pairs, [&](const SolePair& pair) {
+    if (is_done[pair.exact]) return true;
+    is_done[pair.exact] = true;
+    const bool is_certain = pair.distance + 2 * slack < sides.tolerance;
+    if (!is_certain && exact_distance(pair) > sides.squared_tolerance) return true;
+    match(result, VertexId(pair.exact), VertexId(pair.other));
+    farthest = std::max(farthest, pair.distance);
+    return false;
+  });
+  for (const SolePair& pair : pairs)
+    if (pair.distance + 2 * slack >= farthest)
+      result.largest_squared = std::max(result.largest_squared, exact_distance(pair));
+  return is_done;
+}
+
+std::vector<Candidate> candidates_nearest_first(const Sides& sides, const NearVertices& floats,
+                                                const std::vector<bool>& is_done) {
+  std::vector<Candidate> result;
+  for (std::size_t v = 0; v < sides[Exact].vertices.size(); ++v) {
+    if (is_done[v]) continue;
+    for (Near& near :
+         floats.within(sides[Exact].vertices[v], sides.tolerance, sides.squared_tolerance))
+      result.push_back({VertexId(v), std::move(near)});
+  }
+  std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
+    const int by_distance = cmp(a.near.squared_distance, b.near.squared_distance);
+    if (by_distance != 0) return by_distance < 0;
+    return std::pair(a.exact_vertex, a.near.vertex) < std::pair(b.exact_vertex, b.near.vertex);
+  });
+  return result;
+}
+
+VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
+  VertexMatch result = nothing_matched(sides);
+  match_equal(result, sides);
+  const std::vector<bool> is_done = match_sole_pairs(result, sides);
+  for (const Candidate& candidate : candidates_nearest_first(sides, floats, is_done)) {
+    const VertexId v = candidate.exact_vertex, w = candidate.near.vertex;
+    if (result.match[Exact][v].valid() || result.match[Float][w].valid()) continue;
+    match(result, v, w);
+    result.largest_squared = std::max(result.largest_squared, candidate.near.squared_distance);
+  }
+  return result;
+}
+
+/// Vertices that correspond by their edges: matched like others, but listed.
+std::vector<Finding> match_moved(VertexMatch& result, const Sides& sides) {
+  std::vector<Finding> findings;
+  for (const auto& [v, w] : moved_vertices(sides, result.match)) {
+    match(result, v, w);
+    Finding finding;
+    finding.kind = CellKind::Vertex;
+    finding.disagreement = Disagreement::Moved;
+    finding.where = sides.point(Exact, v);
+    finding.exact_cells = {v};
+    finding.float_cells = {w};
+    finding.squared_distance = squared_distance(finding.where, sides.point(Float, w));
+    finding.distance = length(*finding.squared_distance);
+    finding.segments =
+        joined(segments_at(sides, Exact, std::array{v}), segments_at(sides, Float, std::array{w}));
+    finding.message =
+        fmt::format("a vertex lies {} away from where it should", rough(*finding.distance));
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+/// A vertex of the side without any vertex of the other one within the tolerance.
+Finding lacking_vertex(const Sides& sides, Side side, VertexId v,
+                       const std::optional<Near>& nearest_other) {
+  Finding finding;
+  finding.kind = CellKind::Vertex;
+  finding.disagreement = lacking(side);
+  finding.where = sides.point(side, v);
+  cells(finding, side) = {v};
+  finding.segments = segments_at(sides, side, std::array{v});
+  finding.message = side == Exact ? "an exact vertex is missing from the float result"
+                                  : "a float vertex has no exact counterpart";
+  if (nearest_other) {
+    finding.squared_distance = nearest_other->squared_distance;
+    finding.distance = length(*finding.squared_distance);
+    finding.message += fmt::format("; the nearest {} vertex is {} away", name(other(side)),
+                                   rough(*finding.distance));
+  }
+  return finding;
+}
+
+/// Vertices of the side that are one vertex of the other: its match first, then those left over.
+Finding joined_vertices(const Sides& sides, Side side, const std::vector<VertexId>& vertices,
+                        VertexId into) {
+  Finding finding;
+  finding.kind = CellKind::Vertex;
+  finding.disagreement = joining(side);
+  finding.where = sides.point(other(side), into);
+  Rational farthest = 0;
+  for (const VertexId v : vertices)
+    farthest = std::max(farthest, squared_distance(sides.point(side, v), finding.where));
+  finding.squared_distance = farthest;
+  finding.distance = length(farthest);
+  cells(finding, side).assign(vertices.begin(), vertices.end());
+  std::sort(cells(finding, side).begin(), cells(finding, side).end());
+  cells(finding, other(side)) = {into};
+  finding.segments =
+      joined(segments_at(sides, side, vertices), segments_at(sides, other(side), std::array{into}));
+  const double apart = length(
+      squared_distance(sides.point(side, vertices.front()), sides.point(side, vertices.back())));
+  const std::string spread = vertices.size() == 2
+                                 ? fmt::format("two {} vertices {} apart", name(side), rough(apart))
+                                 : fmt::format("{} {} vertices within {} of it", vertices.size(),
+                                               name(side), rough(*finding.distance));
+  finding.message =
+      side == Exact ? spread + " became one float vertex" : "one exact vertex became " + spread;
+  return finding;
+}
+
+void add(VertexMatch& result, Finding finding, std::size_t first_number) {
+  for (const Side side : kBothSides)
+    for (const std::size_t v : cells(finding, side))
+      if (result.number[side][v] == 0)
+        result.number[side][v] = first_number + result.findings.size();
+  result.findings.push_back(std::move(finding));
+}
+
+/// Reports the vertices of the side that have no match, and fills in their images.
+void account_for_unmatched(VertexMatch& result, const Sides& sides, Side side,
+                           const NearVertices& others, std::size_t first_number) {
+  std::vector<std::vector<VertexId>> joined_into(sides[other(side)].vertices.size());
+  std::vector<Finding> lacking_ones;
+  for (std::size_t i = 0; i < sides[side].vertices.size(); ++i) {
+    const VertexId v(i);
+    if (result.match[side][v].valid()) continue;
+    const std::optional<Near> near = others.nearest_to(sides.point(side, v));
+    if (near && near->squared_distance <= sides.squared_tolerance) {
+      result.image[side][v] = near->vertex;
+      joined_into[near->vertex].push_back(v);
+    } else {
+      lacking_ones.push_back(lacking_vertex(sides, side, v, near));
+    }
+  }
+  for (std::size_t i = 0; i < joined_into.size(); ++i) {
+    const VertexId into(i);
+    if (joined_into[into].empty()) continue;
+    if (const VertexId match = result.match[other(side)][into]; match.valid())
+      joined_into[into].insert(joined_into[into].begin(), match);
+    add(result, joined_vertices(sides, side, joined_into[into], into), first_number);
+  }
+  for (Finding& finding : lacking_ones) add(result, std::move(finding), first_number);
+}
+
+}  // namespace
+
+VertexMatch match_vertices(const Sides& sides, std::size_t first_number) {
+  const NearVertices exacts(sides.points[Exact]);
+  const NearVertices floats(sides.points[Float]);
+  VertexMatch result = one_to_one(sides, floats);
+  std::vector<Finding> moved = match_moved(result, sides);
+  result.moved_count = moved.size();
+  result.image = result.match;
+  for (Finding& finding : moved) add(result, std::move(finding), first_number);
+  account_for_unmatched(result, sides, Exact, floats, first_number);
+  account_for_unmatched(result, sides, Float, exacts, first_number);
+  return result;
+}
+
+}  // namespace plumbline::matching

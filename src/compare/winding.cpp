@@ -1,0 +1,117 @@
+// Sums windings over the faces of an arrangement: across an edge they change by what lies on it.
+
+#include "compare/winding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plumbline/arrange.hpp"
+
+namespace plumbline::matching {
+namespace {
+
+/// Sorted by label, each label once, without zeros.
+Windings summed(Windings windings) {
+  std::sort(windings.begin(), windings.end());
+  Windings result;
+  for (const auto& [label, times] : windings) {
+    if (!result.empty() && result.back().first == label)
+      result.back().second += times;
+    else
+      result.emplace_back(label, times);
+  }
+  std::erase_if(result, [](const auto& entry) { return entry.second == 0; });
+  return result;
+}
+
+/// Whether most pieces lie in crowds that no bucket can part, which takes time quadratic in them.
+bool is_crowded(const std::vector<BoundaryPiece>& pieces) {
+  constexpr double kTiny = 0x1p-24;  // of the extent
+  double left = 0, right = 0, low = 0, high = 0;
+  std::vector<double> lengths;
+  for (const BoundaryPiece& piece : pieces) {
+    const PointD a = nearest(piece.a), b = nearest(piece.b);
+    if (lengths.empty()) left = right = a.x, low = high = a.y;
+    left = std::min({left, a.x, b.x});
+    right = std::max({right, a.x, b.x});
+    low = std::min({low, a.y, b.y});
+    high = std::max({high, a.y, b.y});
+    lengths.push_back(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)));
+  }
+  const double least = kTiny * std::max(right - left, high - low);
+  const auto tiny =
+      std::count_if(lengths.begin(), lengths.end(), [&](double length) { return length < least; });
+  return static_cast<std::size_t>(tiny) > kMostTinyPieces;
+}
+
+/// The arrangement, edges with the numbers of the pieces on them.
+std::optional<ExactComplex> arranged(const std::vector<BoundaryPiece>& pieces) {
+  if (is_crowded(pieces)) return std::nullopt;
+  SegmentSet set;
+  std::vector<SegmentId> number;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].a == pieces[i].b) continue;
+    if (!is_within_limit(pieces[i].a) || !is_within_limit(pieces[i].b)) return std::nullopt;
+    set.add(Segment{pieces[i].a, pieces[i].b}, SourceId());
+    number.emplace_back(i);
+  }
+  ExactComplex complex = arrange(set);
+  Lists<SegmentId> sources;
+  std::vector<SegmentId> renumbered;
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    renumbered.clear();
+    for (const SegmentId s : complex.edge_sources[e]) renumbered.push_back(number[s]);
+    sources.push_back(renumbered);
+  }
+  complex.edge_sources = std::move(sources);
+  return complex;
+}
+
+}  // namespace
+
+void add_boundary(std::vector<BoundaryPiece>& pieces, const ExactComplex& complex, FaceId f,
+                  std::size_t label) {
+  const auto add = [&](CycleId cycle) {
+    for (const HalfedgeId h : complex.cycles[cycle])
+      pieces.push_back({complex.vertices[complex.origin(h)], complex.vertices[complex.target(h)],
+                        label, edge_of(h)});
+  };
+  if (complex.face_outer[f].valid()) add(complex.face_outer[f]);
+  for (const CycleId hole : complex.face_holes[f]) add(hole);
+}
+
+std::optional<Overlaid> overlaid(const std::vector<BoundaryPiece>& pieces, Windings outside) {
+  std::optional<ExactComplex> complex = arranged(pieces);
+  if (!complex) return std::nullopt;
+  Overlaid result{std::move(*complex), {}};
+  const ExactComplex& c = result.complex;
+  result.windings.resize(c.face_count());
+  result.windings[kUnbounded] = summed(std::move(outside));
+  std::vector<bool> is_seen(c.face_count());
+  is_seen[kUnbounded] = true;
+  std::vector<FaceId> queue{kUnbounded};
+  const auto cross = [&](FaceId from, HalfedgeId h) {
+    const FaceId to = c.halfedge_face[twin(h)];
+    if (is_seen[to]) return;
+    Windings windings = result.windings[from];
+    for (const SegmentId s : c.edge_sources[edge_of(h)]) {
+      const BoundaryPiece& piece = pieces[s];
+      const bool is_along =
+          (piece.b < piece.a) == is_reversed(h);  // then it has `from` on its left
+      windings.emplace_back(piece.label, is_along ? -1 : 1);
+    }
+    result.windings[to] = summed(std::move(windings));
+    is_seen[to] = true;
+    queue.push_back(to);
+  };
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const FaceId f = queue[i];
+    if (c.face_outer[f].valid())
+      for (const HalfedgeId h : c.cycles[c.face_outer[f]]) cross(f, h);
+    for (const CycleId hole : c.face_holes[f])
+      for (const HalfedgeId h : c.cycles[hole]) cross(f, h);
+  }
+  return result;
+}
+
+}  // namespace plumbline::matching

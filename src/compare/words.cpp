@@ -1,0 +1,55 @@
+// The names of what findings say.
+
+#include <array>
+
+#include "plumbline/compare.hpp"
+
+namespace plumbline {
+
+std::string to_text(CellKind kind) {
+  switch (kind) {
+    case CellKind::Vertex:
+      return "vertex";
+    case CellKind::Edge:
+      return "edge";
+    case CellKind::Face:
+      return "face";
+    case CellKind::Hole:
+      return "hole";
+    case CellKind::Complex:
+      break;
+  }
+  return "complex";
+}
+
+std::string to_text(Stage stage) {
+  static constexpr std::array kNames = {
+      "parse",     "transform",  "quantise", "bucket",           "intersect",
+      "order",     "prune",      "simplify", "component filter", "edge order",
+      "face walk", "outer face", "nesting",  "foreign"};
+  return kNames.at(static_cast<std::size_t>(stage));
+}
+
+std::string to_text(Disagreement disagreement) {
+  switch (disagreement) {
+    case Disagreement::Invalid:
+      return "invalid";
+    case Disagreement::Missing:
+      return "missing";
+    case Disagreement::Extra:
+      return "extra";
+    case Disagreement::Merged:
+      return "merged";
+    case Disagreement::Split:
+      return "split";
+    case Disagreement::Reshaped:
+      return "reshaped";
+    case Disagreement::Moved:
+      return "moved";
+    case Disagreement::WrongParent:
+      break;
+  }
+  return "wrong parent";
+}
+
+}  // namespace plumbline

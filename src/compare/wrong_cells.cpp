@@ -1,0 +1,70 @@
+#include "compare/wrong_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::checking {
+namespace {
+
+/// In tolerances.
+constexpr double kReach = 4;
+
+std::size_t cell_count(const ExactComplex& complex, CellKind kind) {
+  switch (kind) {
+    case CellKind::Vertex:
+      return complex.vertices.size();
+    case CellKind::Edge:
+      return complex.edge_count();
+    case CellKind::Face:
+      return complex.face_count();
+    case CellKind::Hole:
+      return complex.cycles.size();
+    case CellKind::Complex:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+WrongCells::WrongCells(const Crosscheck& crosscheck, const ExactComplex& exact_complex)
+    : crosscheck_(crosscheck) {
+  for (std::size_t kind = 0; kind < kKinds; ++kind)
+    by_cell_[kind].resize(cell_count(exact_complex, static_cast<CellKind>(kind)));
+  for (std::size_t i = 0; i < crosscheck.findings.size(); ++i) {
+    const Finding& finding = crosscheck.findings[i];
+    if (finding.disagreement == Disagreement::Invalid) continue;
+    const auto kind = static_cast<std::size_t>(finding.kind);
+    for (const std::size_t cell : finding.exact_cells)
+      if (by_cell_[kind][cell] == 0) by_cell_[kind][cell] = i + 1;
+    if (finding.exact_cells.empty())
+      for (const SegmentId s : finding.segments) by_segment_[kind].emplace_back(s, i);
+  }
+  for (auto& list : by_segment_) std::sort(list.begin(), list.end());
+}
+
+const Finding* WrongCells::same(const Finding& finding) const {
+  const auto kind = static_cast<std::size_t>(finding.kind);
+  for (const std::size_t cell : finding.exact_cells)
+    if (by_cell_[kind][cell] != 0) return &crosscheck_.findings[by_cell_[kind][cell] - 1];
+  if (!finding.exact_cells.empty()) return nullptr;
+  const auto& list = by_segment_[kind];
+  for (const SegmentId s : finding.segments)
+    for (auto it = std::lower_bound(list.begin(), list.end(), std::pair(s, std::size_t{0}));
+         it != list.end() && it->first == s; ++it)
+      if (const Finding& other = crosscheck_.findings[it->second]; is_near(finding, other))
+        return &other;
+  return nullptr;
+}
+
+/// Vertices that only the float side has may lie on the same segment and be two: not if they are
+/// within what stages move them.
+bool WrongCells::is_near(const Finding& finding, const Finding& other) const {
+  if (finding.kind != CellKind::Vertex || crosscheck_.tolerance == 0) return true;
+  const PointD a = nearest(finding.where), b = nearest(other.where);
+  return std::hypot(a.x - b.x, a.y - b.y) <= kReach * crosscheck_.tolerance;
+}
+
+bool WrongCells::has(const Finding& finding) const { return same(finding) != nullptr; }
+
+}  // namespace plumbline::checking

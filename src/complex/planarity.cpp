@@ -1,0 +1,201 @@
+// A line sweeps over the vertices from left to right (from the bottom up where x is equal) and
+// keeps the edges that it meets, from the bottom up. At each vertex the edges that end there must
+// be next to each other, the edges just below and above must pass strictly below and above it, and
+// the edges that begin there are put in their place. Two edges that met elsewhere would be
+// neighbours before they met and out of order after it, so the next vertex that touches one of
+// them, or lies between them, fails its test (Shamos and Hoey, "Geometric intersection problems",
+// 1976; here no crossing is computed or looked for).
+//
+// The order of edges around each vertex falls out, and what lies below the least vertex of each
+// component. Cycles that turn clockwise at every vertex are the boundaries of the faces; the one
+// that passes a component's least vertex on the left runs clockwise around it, all others run
+// counter-clockwise: so neither areas nor points inside are needed.
+
+#include "complex/planarity.hpp"
+
+#include <algorithm>
+#include <boost/intrusive/set.hpp>
+#include <iterator>
+#include <optional>
+
+#include "complex/scan_line.hpp"
+#include "geometry/filtered_points.hpp"
+
+namespace plumbline {
+namespace {
+
+namespace intrusive = boost::intrusive;
+
+/// An edge that the line may meet. Ordered by where it was put, never by comparing.
+struct Met : intrusive::set_base_hook<intrusive::optimize_size<true>> {
+  EdgeId edge;
+};
+using Status = intrusive::set<Met, intrusive::constant_time_size<false>>;
+
+class Certifier {
+ public:
+  explicit Certifier(const ExactComplex& complex)
+      : c_(complex), points_(complex.vertices), met_(complex.edge_count()) {}
+
+  bool run() {
+    if (!prepare()) return false;
+    for (std::size_t v = 0; v < c_.vertices.size(); ++v)
+      if (!enter(VertexId(v))) return false;
+    return has_right_cycles();
+  }
+
+ private:
+  bool prepare();
+  bool enter(VertexId v);
+  bool take_ending(VertexId v);
+  bool take_beginning(VertexId v);
+  bool turns_clockwise() const;
+  bool lies_in_parent(VertexId v) const;
+  bool has_right_cycles() const;
+
+  /// Where the vertex lies: 1 above the edge, -1 below it, 0 on it.
+  int side(const Met& m, VertexId v) const {
+    return points_.orientation(c_.edges[m.edge].tail, c_.edges[m.edge].head, v);
+  }
+
+  const ExactComplex& c_;
+  const FilteredPoints points_;
+  std::vector<Met> met_;  ///< per edge
+  Status status_;         ///< after met_: it must end before what it links
+
+  std::vector<std::uint32_t> ending_count_;  ///< per vertex, of the edges that end there
+  std::vector<EdgeId> some_ending_;          ///< per vertex, one of them
+  std::vector<HalfedgeId> next_;             ///< along cycles
+  std::vector<CycleId> cycle_of_;            ///< per halfedge
+  std::vector<CycleId> outline_;  ///< per component so far, the cycle around it; none for a vertex
+  std::size_t next_edge_ = 0;     ///< the first one that did not begin yet
+
+  Status::iterator above_;            ///< the first edge above the vertex
+  std::vector<HalfedgeId> around_;    ///< leaving the vertex, counter-clockwise from straight down
+  std::vector<HalfedgeId> leftward_;  ///< those of them that run leftwards, from the bottom up
+};
+
+bool Certifier::prepare() {
+  for (std::size_t v = 1; v < c_.vertices.size(); ++v)
+    if (!points_.is_before(v - 1, v)) return false;
+  ending_count_.assign(c_.vertices.size(), 0);
+  some_ending_.resize(c_.vertices.size());
+  for (std::size_t e = 0; e < met_.size(); ++e) {
+    met_[e].edge = EdgeId(e);
+    ++ending_count_[c_.edges[e].head];
+    some_ending_[c_.edges[e].head] = EdgeId(e);
+  }
+  next_.resize(2 * c_.edge_count());
+  cycle_of_.resize(2 * c_.edge_count());
+  for (std::size_t i = 0; i < c_.cycles.size(); ++i) {
+    const auto cycle = c_.cycles[i];
+    for (std::size_t k = 0; k < cycle.size(); ++k) {
+      next_[cycle[k]] = cycle[k + 1 < cycle.size() ? k + 1 : 0];
+      cycle_of_[cycle[k]] = CycleId(i);
+    }
+  }
+  return true;
+}
+
+bool Certifier::enter(VertexId v) {
+  around_.clear();
+  if (!take_ending(v)) return false;
+  const bool is_above_clear = above_ == status_.end() || side(*above_, v) < 0;
+  const bool is_below_clear = above_ == status_.begin() || side(*std::prev(above_), v) > 0;
+  if (!is_above_clear || !is_below_clear) return false;
+  const bool is_least = c_.vertex_component[v] == outline_.size();  // numbered by least vertices
+  if (is_least && !lies_in_parent(v)) return false;
+  if (!take_beginning(v) || !turns_clockwise()) return false;
+  // Left of a least vertex, a cycle comes along the lowest edge and goes on along the highest.
+  if (is_least) outline_.push_back(around_.empty() ? CycleId() : cycle_of_[around_.back()]);
+  return true;
+}
+
+/// Takes the edges that end at v out, if they are neighbours; finds the place of v.
+bool Certifier::take_ending(VertexId v) {
+  leftward_.clear();
+  if (!some_ending_[v].valid()) {
+    above_ = status_.lower_bound(v, [&](const Met& m, VertexId w) { return side(m, w) > 0; });
+    return true;
+  }
+  const auto ends_here = [&](const Met& m) { return c_.edges[m.edge].head == v; };
+  auto first = status_.iterator_to(met_[some_ending_[v]]);
+  while (first != status_.begin() && ends_here(*std::prev(first))) --first;
+  for (above_ = first; above_ != status_.end() && ends_here(*above_);) {
+    leftward_.push_back(halfedge(above_->edge, true));
+    above_ = status_.erase(above_);
+  }
+  return leftward_.size() == ending_count_[v];
+}
+
+/// Puts the edges that begin at v into their place, if no two have the same direction.
+bool Certifier::take_beginning(VertexId v) {
+  for (; next_edge_ < met_.size() && c_.edges[next_edge_].tail == v; ++next_edge_)
+    around_.push_back(halfedge(EdgeId(next_edge_), false));
+  const auto turn = [&](HalfedgeId g, HalfedgeId h) {
+    return points_.orientation(v, c_.target(g), c_.target(h));
+  };
+  std::sort(around_.begin(), around_.end(),
+            [&](HalfedgeId g, HalfedgeId h) { return turn(g, h) > 0; });
+  for (std::size_t i = 0; i < around_.size(); ++i) {
+    if (i > 0 && turn(around_[i - 1], around_[i]) <= 0) return false;
+    status_.insert_before(above_, met_[edge_of(around_[i])]);
+  }
+  around_.insert(around_.end(), leftward_.rbegin(), leftward_.rend());
+  return true;
+}
+
+/// Whether every cycle turns from the edge on which it comes to the next one clockwise.
+bool Certifier::turns_clockwise() const {
+  for (std::size_t i = 0; i < around_.size(); ++i) {
+    const HalfedgeId clockwise = around_[i], h = around_[i + 1 < around_.size() ? i + 1 : 0];
+    if (next_[twin(h)] != clockwise) return false;
+  }
+  return true;
+}
+
+/// Whether the component of its least vertex v lies in the face that it is a hole of.
+bool Certifier::lies_in_parent(VertexId v) const {
+  std::optional<EdgeId> below;
+  if (above_ != status_.begin()) below = std::prev(above_)->edge;
+  return c_.component_parent[c_.vertex_component[v]] == face_above(c_, below);
+}
+
+/// Whether each component is a hole once, by the cycle around it, and all other cycles are outer
+/// boundaries, each of one face.
+bool Certifier::has_right_cycles() const {
+  std::vector<bool> is_seen(c_.cycles.size());
+  std::vector<bool> is_placed(c_.component_count());
+  const auto place = [&](VertexId v) {
+    const ComponentId k = c_.vertex_component[v];
+    const bool is_new = !is_placed[k];
+    is_placed[k] = true;
+    return is_new;
+  };
+  const auto see = [&](CycleId cycle) {
+    const bool is_new = !is_seen[cycle];
+    is_seen[cycle] = true;
+    return is_new;
+  };
+  const auto component = [&](CycleId cycle) {
+    return c_.vertex_component[c_.origin(c_.cycles[cycle].front())];
+  };
+  for (const CycleId hole : c_.face_holes.flat()) {
+    const bool is_outline = outline_[component(hole)] == hole;
+    if (!is_outline || !see(hole) || !place(c_.origin(c_.cycles[hole].front()))) return false;
+  }
+  for (const VertexId v : c_.face_isolated_vertices.flat())
+    if (outline_[c_.vertex_component[v]].valid() || !place(v)) return false;
+  for (std::size_t f = 1; f < c_.face_count(); ++f)
+    if (!see(c_.face_outer[f]) || outline_[component(c_.face_outer[f])] == c_.face_outer[f])
+      return false;
+  const auto is_true = [](bool b) { return b; };
+  return std::all_of(is_seen.begin(), is_seen.end(), is_true) &&
+         std::all_of(is_placed.begin(), is_placed.end(), is_true);
+}
+
+}  // namespace
+
+bool is_certified(const ExactComplex& complex) { return Certifier(complex).run(); }
+
+}  // namespace plumbline

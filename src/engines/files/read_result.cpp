@@ -1,0 +1,63 @@
+#include "plumbline/engines/files.hpp"
+
+#include "engines/files/readers.hpp"
+#include "plumbline/error.hpp"
+#include "plumbline/read.hpp"
+#include "read/input_file.hpp"
+#include "read/json_kind.hpp"
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+
+ForeignResult read_json_result(const fs::path& file) {
+  ByteStream beginning(file);
+  const JsonKind kind = json_kind(beginning);
+  ByteStream bytes(file);
+  switch (kind) {
+    case JsonKind::GeoJson:
+      return read_features(bytes, read_geojson);
+    case JsonKind::Arrangement:
+      return read_arrangement(bytes);
+    case JsonKind::Lar:
+    case JsonKind::LarTrace:
+      return read_lar_result(bytes);
+    case JsonKind::Struct:
+      break;
+  }
+  throw Error(ErrorCode::BadInput, "a LAR structure is a drawing and no result",
+              {file.string(), 0, 0});
+}
+
+}  // namespace
+
+void note_lost_faces(ForeignResult& result, std::size_t face_count) {
+  const std::size_t lost = face_count + 1 - result.complex.face_count();
+  if (lost == 0) return;
+  Rejected& item = result.rejected.emplace_back();
+  item.source.element = "face";
+  item.reason = "faces without any edge are left out";
+  item.text = std::to_string(lost) + (lost == 1 ? " face" : " faces");
+}
+
+ForeignResult read_result(const fs::path& file) {
+  check_is_file(file);
+  checked_size(file, kMaxStreamedFileSize);
+  const std::string ending = lower_case_ending(file);
+  if (ending == ".json") return read_json_result(file);
+  FeatureReader reader = nullptr;
+  if (ending == ".geojson") reader = read_geojson;
+  if (ending == ".wkt") reader = read_wkt;
+  if (ending == ".wkb") reader = read_wkb;
+  if (ending == ".csv") reader = read_csv;
+  if (reader == nullptr) {
+    throw Error(ErrorCode::BadInput,
+                "unknown file name ending of a result; known are .json .geojson .wkt .wkb .csv",
+                {file.string(), 0, 0}, ending);
+  }
+  ByteStream bytes(file);
+  return read_features(bytes, reader);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,75 @@
+#include "engines/inters/explain/dropped_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumbline::checking {
+namespace {
+
+using lar::VertexPair;
+using lar::published::Trace;
+
+/// Area of the box.
+double extent(const Trace& trace, const std::vector<VertexPair>& component) {
+  PointD low = trace.lar.vertices[component.front()[0]], high = low;
+  for (const VertexPair& edge : component)
+    for (const VertexId v : edge) {
+      const PointD& p = trace.lar.vertices[v];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  return (high.x - low.x) * (high.y - low.y);
+}
+
+double distance(const PointD& p, const SegmentD& s) {
+  const double x = s.b.x - s.a.x, y = s.b.y - s.a.y;
+  const double squared = x * x + y * y;
+  const double at =
+      squared == 0 ? 0 : std::clamp(((p.x - s.a.x) * x + (p.y - s.a.y) * y) / squared, 0.0, 1.0);
+  return std::hypot(s.a.x + at * x - p.x, s.a.y + at * y - p.y);
+}
+
+}  // namespace
+
+DroppedEdges::DroppedEdges(const Trace& trace, PublishedResult result, const EdgeSources& sources) {
+  if (result == PublishedResult::CellsFromCycles) return;
+  for (const VertexPair& edge : trace.bridges) add(trace, edge, Why::NoCycle, sources);
+  if (result == PublishedResult::LarFromLines && !trace.components.empty()) {
+    // The first of those with most edges is kept.
+    const auto kept =
+        std::max_element(trace.components.begin(), trace.components.end(),
+                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    const double kept_extent = extent(trace, *kept);
+    for (auto it = trace.components.begin(); it != trace.components.end(); ++it) {
+      if (it == kept) continue;
+      const Why why = extent(trace, *it) > kept_extent ? Why::LargerExtent : Why::FewerEdges;
+      for (const VertexPair& edge : *it) add(trace, edge, why, sources);
+    }
+  }
+  std::sort(by_segment_.begin(), by_segment_.end());
+}
+
+void DroppedEdges::add(const Trace& trace, const VertexPair& edge, Why why,
+                       const EdgeSources& sources) {
+  for (const SegmentId s : sources.at({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])}))
+    by_segment_.emplace_back(s, edges_.size());
+  edges_.push_back({{trace.lar.vertices[edge[0]], trace.lar.vertices[edge[1]]}, why});
+}
+
+std::optional<DroppedEdges::Why> DroppedEdges::nearest_to(
+    const PointD& p, std::span<const SegmentId> segments) const {
+  std::optional<Why> result;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SegmentId s : segments)
+    for (auto it =
+             std::lower_bound(by_segment_.begin(), by_segment_.end(), std::pair(s, std::size_t{0}));
+         it != by_segment_.end() && it->first == s; ++it)
+      if (const double away = distance(p, edges_[it->second].segment); away < least) {
+        least = away;
+        result = edges_[it->second].why;
+      }
+  return result;
+}
+
+}  // namespace plumbline::checking

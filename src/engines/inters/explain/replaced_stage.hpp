@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "engines/inters/explain/work.hpp"
+#include "plumbline/compare.hpp"
+
+namespace plumbline::checking {
+
+/// The published result with one stage replaced by its exact counterpart, on the stage's own input
+/// as the run has it: no quantisation (but twelve decimals), buckets that lose nothing, the exact
+/// arrangement, no merging, no edge dropped, the exact cells. None where the run has no such input.
+std::optional<FloatComplex> run_with_exact(const lar::published::Trace& trace,
+                                           PublishedResult result, const EdgeSources& raw_sources,
+                                           const EdgeSources& lar_sources, Stage stage,
+                                           std::size_t threads);
+
+}  // namespace plumbline::checking

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plumbline/engines/lar.hpp"
+
+namespace plumbline::lar::published {
+
+/// The vertices of a cycle of edges, in the order of a set of numbers.
+std::vector<VertexId> cycle_vertices(std::span<const VertexPair> edges);
+
+}  // namespace plumbline::lar::published

@@ -1,0 +1,85 @@
+#include "engines/lar/show/canvas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace plumbline::picture {
+namespace {
+
+constexpr double kMargin = 20;
+constexpr double kPen = 1;
+constexpr double kSteps = 1000;  ///< coordinates have three decimals
+
+double rounded(double value) { return std::round(value * kSteps) / kSteps; }
+
+}  // namespace
+
+std::string colour(std::size_t number) {
+  constexpr double kGoldenRatio = 0.6180339887498949, kDarkest = 60, kRange = 150;
+  const double hue = std::fmod(static_cast<double>(number % 1'000'000) * kGoldenRatio, 1.0);
+  const auto channel = [&](double phase) {
+    const double distance = std::abs(std::fmod(hue + phase, 1.0) * 6 - 3) - 1;
+    return static_cast<unsigned>(kDarkest + kRange * std::clamp(distance, 0.0, 1.0));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", channel(0), channel(2.0 / 3), channel(1.0 / 3));
+}
+
+void Canvas::show(const Box& box) {
+  box_ = box;
+  frame_ = fit(box, {{kMargin, kMargin}, {kSide - kMargin, kSide - kMargin}});
+}
+
+void Canvas::line(const PointD& a, const PointD& b, const std::string& attributes) {
+  fmt::format_to(std::back_inserter(elements_), "<path d=\"M{}L{}\"{}/>\n", coordinates(a),
+                 coordinates(b), attributes);
+}
+
+void Canvas::paths(std::span<const std::vector<PointD>> paths, const std::string& attributes) {
+  std::string data;
+  for (const std::vector<PointD>& path : paths) {
+    char command = 'M';
+    for (const PointD& p : path) {
+      data += command + coordinates(p);
+      command = 'L';
+    }
+    data += 'Z';
+  }
+  fmt::format_to(std::back_inserter(elements_), "<path{} fill-rule=\"evenodd\" d=\"{}\"/>\n",
+                 attributes, data);
+}
+
+void Canvas::circle(const PointD& center, double radius, const std::string& attributes) {
+  const PointD p = place(center);
+  fmt::format_to(std::back_inserter(elements_), "<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n",
+                 shortest_text(p.x), shortest_text(p.y), shortest_text(radius), attributes);
+}
+
+void Canvas::text(const PointD& at, std::size_t number, double size, const char* ink) {
+  const PointD p = place(at);
+  fmt::format_to(std::back_inserter(elements_),
+                 "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\">{}</text>\n",
+                 shortest_text(p.x), shortest_text(p.y), shortest_text(rounded(size)), ink, number);
+}
+
+void Canvas::open_group(const std::string& attributes) { elements_ += "<g" + attributes + ">\n"; }
+void Canvas::close_group() { elements_ += "</g>\n"; }
+
+double Canvas::length(double drawn) const { return rounded(drawn * frame_.scale); }
+
+std::string Canvas::svg() const {
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {0}\" fill=\"none\" "
+             "stroke=\"{1}\" stroke-width=\"{2}\" stroke-linecap=\"round\">\n",
+             kSide, kInk, kPen) +
+         elements_ + "</svg>\n";
+}
+
+PointD Canvas::place(const PointD& p) const {
+  const PointD q = frame_(p);
+  return {rounded(q.x), rounded(y_up_ ? kSide - q.y : q.y)};
+}
+
+}  // namespace plumbline::picture
