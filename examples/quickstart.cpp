@@ -21,8 +21,8 @@ int main(int argc, char** argv) try {
   }
 
   const plumbline::lar::Result lar = plumbline::lar::arrange(input);
-  const plumbline::Crosscheck verdict =
-      plumbline::crosscheck(exact_complex, lar.complex, lar.trace.radius);
+  const plumbline::Comparison verdict =
+      plumbline::compare(exact_complex, lar.complex, lar.trace.radius);
   std::cout << (verdict.agree() ? "float LAR agrees\n" : "float LAR disagrees\n");
   for (const plumbline::Finding& finding : verdict.findings) {
     std::cout << to_text(finding.kind) << ' ' << to_text(finding.disagreement) << ": "

@@ -6,6 +6,7 @@
 #include "plumbline/check.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/report.hpp"
+#include "support/engine_checks.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
@@ -13,20 +14,14 @@ using namespace plumbline;
 namespace {
 
 Check advised(const SegmentSet& input, const AdviceOptions& options = {}) {
-  return plumbline::advised(check(input, arrange(input)), options);
-}
-
-CheckOptions with(double radius) {
-  CheckOptions options;
-  options.radius = radius;
-  return options;
+  return plumbline::advised(check_lar(input), options);
 }
 
 /// "wrong 0.1, right 0.5": what `check` says for each radius that was tried.
 std::string verdicts(const Check& advice) {
   std::string text;
   for (const TriedRadius& trial : advice.right_radii->tried) {
-    const bool is_right = check(advice.input, advice.exact_complex, with(trial.radius)).agree();
+    const bool is_right = check_lar(advice.input, trial.radius).agree();
     text += (text.empty() ? "" : ", ") + std::string(is_right ? "right " : "wrong ") +
             shortest_text(trial.radius);
   }
@@ -79,7 +74,7 @@ TEST_CASE("where rounding takes a point apart, radii are right from where they j
 
 TEST_CASE("a terminal shows features, right radii and the ladder") {
   const Check advice = advised(segments("0 0 10 0  5 1/3 5 3  9 2 9 7/4"));
-  const std::string text = report_text(advice);
+  const std::string text = to_text(advice);
   INFO(text);
   CHECK(text.find("nearest vertices 0.25 apart: (9, 1.75) and (9, 2)\n") != std::string::npos);
   CHECK(text.find(
@@ -96,8 +91,8 @@ TEST_CASE("a terminal shows features, right radii and the ladder") {
 TEST_CASE("a plot has a line for each number of cells, and a band of right radii") {
   const Check advice = advised(segments(rectangle(0, 0, 3, 2)));
   pugi::xml_document svg, without;
-  REQUIRE(svg.load_string(ladder_svg(*advice.ladder, advice.right_radii).c_str()));
-  REQUIRE(without.load_string(ladder_svg(*advice.ladder).c_str()));
+  REQUIRE(svg.load_string(to_svg(*advice.ladder, advice.right_radii).c_str()));
+  REQUIRE(without.load_string(to_svg(*advice.ladder).c_str()));
   CHECK(svg.select_node("//rect/title").node().text().as_string() ==
         "float LAR is right with every radius tried from " +
             shortest_text(advice.right_radii->least) + " to " +
@@ -111,13 +106,13 @@ TEST_CASE("a plot has a line for each number of cells, and a band of right radii
     ++plots;
   }
   CHECK(plots == 3);
-  CHECK(without.load_string(ladder_svg(tolerance_ladder(arrange(segments("")))).c_str()));
+  CHECK(without.load_string(to_svg(tolerance_ladder(arrange(segments("")))).c_str()));
 }
 
 TEST_CASE("no radius is right where features are smaller than rounding") {
   const Check advice = advised(segments("0 0 1 0  0 1e-17 1 1e-17"));
   CHECK(advice.right_radii->empty());
-  CHECK(report_text(advice).find("no radius is right for float LAR") != std::string::npos);
+  CHECK(to_text(advice).find("no radius is right for float LAR") != std::string::npos);
 }
 
 TEST_CASE("the number of runs is bounded, and they can be cancelled") {

@@ -7,6 +7,7 @@
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
+#include "plumbline/engines/files.hpp"
 #include "support/recorded.hpp"
 #include "support/segments.hpp"
 
@@ -57,10 +58,11 @@ Findings findings(const std::string& name, const char* stage, Numbers numbers) {
     const SegmentSet input = drawing(recorded_case["lines"], numbers);
     CheckOptions options;
     options.tolerance = 0.001;
-    const Check check = check_against(input, arrange(input),
-                                      read_lar_result(model_text(result, faces), name), options);
+    const Check check =
+        plumbline::check(input, arrange(input),
+                         files::answer(files::read_lar(model_text(result, faces), name)), options);
     Findings list;
-    for (const Finding& f : check.crosscheck.findings) {
+    for (const Finding& f : check.comparison.findings) {
       if (f.invariant)
         list["(" + to_text(*f.invariant) + ")"] = 1;
       else
@@ -165,15 +167,13 @@ TEST_CASE("against: what the original has right agrees") {
 TEST_CASE("what rounding alone makes is laid to parsing, the rest to the maker of the result") {
   // (4.3, 0.1) lies on the wall in decimals, 1e-16 above it over doubles; a far wall is left out.
   const SegmentSet input = segments("4 0 4.9 0.3  4.3 0.1 4.5 2  20 0 21 0");
-  const ForeignResult result = read_lar_result(
+  const files::Result result = files::read_lar(
       R"({"V": [[4, 0], [4.9, 0.3], [4.3, 0.1], [4.5, 2]], "EV": [[0, 1], [2, 3]]})", "result");
-  const Check check = check_against(input, arrange(input), result);
-  std::set<std::pair<Stage, std::string>> causes;
-  for (const Finding& finding : check.crosscheck.findings) {
-    REQUIRE(finding.cause);
-    causes.emplace(finding.cause->stage, finding.cause->rule);
-  }
-  CHECK(causes == std::set<std::pair<Stage, std::string>>{{Stage::Parse, "decimal-to-double"},
-                                                          {Stage::Foreign, "edge-missing"},
-                                                          {Stage::Foreign, "vertex-missing"}});
+  const Check check = plumbline::check(input, arrange(input), files::answer(result));
+  std::set<std::pair<std::string, std::string>> causes;
+  for (const Cause& cause : check.causes) causes.emplace(cause.stage, cause.rule);
+  CHECK(check.causes.size() == check.comparison.findings.size());
+  CHECK(causes == std::set<std::pair<std::string, std::string>>{{"parse", "decimal-to-double"},
+                                                                {"files", "edge-missing"},
+                                                                {"files", "vertex-missing"}});
 }

@@ -20,7 +20,7 @@ std::string arranged(const std::string& text) {
   const ExactComplex complex = arrange(input);
   CHECK(to_text(validate(complex)) == "");
   CHECK(to_text(validate_coverage(complex, input)) == "");
-  CHECK(arrange(input, Engine::Cgal) == complex);
+  CHECK(arrange(input, ExactEngine::Cgal) == complex);
   return summary(complex);
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("equal and reversed segments are one edge with all sources") {
 TEST_CASE("ten thousand copies of a segment are one edge with all sources") {
   std::string text;
   for (int i = 0; i < 10000; ++i) text += i % 2 == 0 ? "0 0 2 1  " : "2 1 0 0  ";
-  const ExactComplex complex = arrange(segments(text), Engine::Cgal);
+  const ExactComplex complex = arrange(segments(text), ExactEngine::Cgal);
   CHECK(complex.edge_count() == 1);
   CHECK(complex.edge_sources[0].size() == 10000);
   CHECK(arrange(segments(text)) == complex);
@@ -196,7 +196,7 @@ TEST_CASE(
   const ExactComplex complex = arrange(input);
   REQUIRE(to_text(validate(complex)) == "");
   REQUIRE(to_text(validate_coverage(complex, input)) == "");
-  REQUIRE(arrange(input, Engine::Cgal) == complex);
+  REQUIRE(arrange(input, ExactEngine::Cgal) == complex);
   std::mt19937 random(seed);
 
   SegmentSet other = input;

@@ -86,7 +86,7 @@ TEST_CASE("on inputs made to hurt, both engines return the same complex") {
     const SegmentSet input = hostile.make(40);
     if (input.segments.size() > 4000) continue;  // the reference is cubic in overlaps
     CAPTURE(hostile.name, input.segments.size());
-    CHECK(arrange(input, Engine::Bucket) == arrange(input, Engine::Cgal));
+    CHECK(arrange(input, ExactEngine::Bucket) == arrange(input, ExactEngine::Cgal));
   }
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("a few segments far away do not hide what is near") {
     const int x = i * 37 % 100, y = i * 61 % 100;
     input.add({{x, y}, {x + 7, y + i % 13 - 6}}, source);
   }
-  CHECK(arrange(input, Engine::Bucket) == arrange(input, Engine::Cgal));
+  CHECK(arrange(input, ExactEngine::Bucket) == arrange(input, ExactEngine::Cgal));
 }
 
 TEST_CASE("bundles of parallel lines in every direction, crossed by a few") {
@@ -116,6 +116,6 @@ TEST_CASE("bundles of parallel lines in every direction, crossed by a few") {
       if (i % 30 == 0) input.add({{a.x + dx / 2, -50}, {a.x + 3, 50}}, source);
     }
     CAPTURE(dx, dy);
-    CHECK(arrange(input, Engine::Bucket) == arrange(input, Engine::Cgal));
+    CHECK(arrange(input, ExactEngine::Bucket) == arrange(input, ExactEngine::Cgal));
   }
 }

@@ -18,10 +18,10 @@ namespace {
 
 /// Arranges by buckets, compares with the reference, returns the summary.
 std::string arranged(const SegmentSet& input) {
-  const ExactComplex complex = arrange(input, Engine::Bucket);
+  const ExactComplex complex = arrange(input, ExactEngine::Bucket);
   CHECK(to_text(validate(complex)) == "");
   CHECK(to_text(validate_coverage(complex, input)) == "");
-  CHECK(complex == arrange(input, Engine::Cgal));
+  CHECK(complex == arrange(input, ExactEngine::Cgal));
   return summary(complex);
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("both engines return the same complex on every family of random segmen
   for (unsigned seed = 1; seed <= 60; ++seed) {
     CAPTURE(family, seed);
     const SegmentSet input = random_segments::make(family, seed);
-    REQUIRE(arrange(input, Engine::Bucket) == arrange(input, Engine::Cgal));
+    REQUIRE(arrange(input, ExactEngine::Bucket) == arrange(input, ExactEngine::Cgal));
   }
 }
 
@@ -78,11 +78,11 @@ TEST_CASE("buckets: isolated points in faces, on edges, on crossings") {
 TEST_CASE("buckets: a thousand copies of a wall are one wall") {
   std::string text;
   for (int i = 0; i < 1000; ++i) text += i % 2 == 0 ? "0 0 9 1  " : "9 1 0 0  ";
-  CHECK(arrange(segments(text + "4 0 4 4"), Engine::Bucket).edge_sources[0].size() == 1000);
+  CHECK(arrange(segments(text + "4 0 4 4"), ExactEngine::Bucket).edge_sources[0].size() == 1000);
 }
 
 TEST_CASE("buckets: n lines through one point of thirds have 2n + 1 vertices") {
-  const ExactComplex complex = arrange(pencil(3000), Engine::Bucket);
+  const ExactComplex complex = arrange(pencil(3000), ExactEngine::Bucket);
   CHECK(summary(complex) == "V 6001 E 6000 F 1 C 1 antennas 6000");
   CHECK(arranged(pencil(200)) == "V 401 E 400 F 1 C 1 antennas 400");
 }
@@ -143,7 +143,7 @@ TEST_CASE("buckets: bricks, each overlapping the next, are covered by one or two
   const SourceId source = input.add_source({});
   for (int i = 0; i < 200; ++i) input.add({{2 * i, 0}, {2 * i + 3, 0}}, source);
   const ExactComplex complex = arrange(input);
-  CHECK(complex == arrange(input, Engine::Cgal));
+  CHECK(complex == arrange(input, ExactEngine::Cgal));
   CHECK(complex.edge_sources[0].size() == 1);
   CHECK(complex.edge_sources[1].size() == 2);
   CHECK(complex.edge_sources.flat().size() == 598);  // three each, the first and the last two

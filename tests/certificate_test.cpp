@@ -70,8 +70,8 @@ TEST_CASE("a point of the input gives a reason where nothing else does") {
 TEST_CASE("both engines get the same certificate") {
   for (const std::string& family : random_segments::families()) {
     const SegmentSet input = random_segments::make(family, 11);
-    CHECK(certificate(arrange(input, Engine::Bucket), input) ==
-          certificate(arrange(input, Engine::Cgal), input));
+    CHECK(certificate(arrange(input, ExactEngine::Bucket), input) ==
+          certificate(arrange(input, ExactEngine::Cgal), input));
   }
 }
 

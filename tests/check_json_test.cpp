@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "plumbline/plumbline.hpp"
+#include "support/engine_checks.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
@@ -43,12 +44,7 @@ std::string misfit(const rapidjson::Document& document) {
 }
 
 std::string json_of(const std::string& drawing, std::optional<double> radius) {
-  SegmentSet input = segments(drawing);
-  ExactComplex complex = arrange(input);
-  CheckOptions options;
-  options.radius = radius;
-  Check result = check(std::move(input), std::move(complex), options);
-  return report_json(result);
+  return to_json(check_lar(segments(drawing), radius));
 }
 
 }  // namespace

@@ -5,42 +5,40 @@
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/engines/lar.hpp"
+#include "plumbline/structure.hpp"
 #include "random_segments.hpp"
+#include "support/engine_checks.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
 
 namespace {
 
-Check checked(const std::string& text, const CheckOptions& options = {}) {
-  SegmentSet input = segments(text);
-  ExactComplex complex = arrange(input);
-  return check(std::move(input), std::move(complex), options);
+Check checked(const std::string& text, std::optional<double> radius = {}) {
+  return check_lar(segments(text), radius);
 }
 
-Check checked(const std::string& text, double radius) {
-  CheckOptions options;
-  options.radius = radius;
-  return checked(text, options);
-}
+using StageAndRule = std::pair<std::string, std::string>;
 
 /// The only stage and rule that the findings have.
-std::pair<Stage, std::string> only_cause(const std::vector<Finding>& findings) {
-  REQUIRE_FALSE(findings.empty());
-  const Finding& first = findings.front();
-  REQUIRE(first.cause);
-  for (const Finding& finding : findings) {
-    REQUIRE(finding.cause);
-    CHECK(to_text(finding.cause->stage) == to_text(first.cause->stage));
-    CHECK(finding.cause->rule == first.cause->rule);
+StageAndRule only_cause(const std::vector<Cause>& causes) {
+  REQUIRE_FALSE(causes.empty());
+  for (const Cause& cause : causes) {
+    CHECK(cause.stage == causes.front().stage);
+    CHECK(cause.rule == causes.front().rule);
   }
-  return {first.cause->stage, first.cause->rule};
+  return {causes.front().stage, causes.front().rule};
 }
 
-const Finding& only(const std::vector<Finding>& findings, CellKind kind) {
-  const auto is_of_kind = [&](const Finding& f) { return f.kind == kind; };
-  REQUIRE(std::count_if(findings.begin(), findings.end(), is_of_kind) == 1);
-  return *std::find_if(findings.begin(), findings.end(), is_of_kind);
+/// The only finding about a kind of cell, with its cause.
+Explained only_explained(const Check& check, CellKind kind) {
+  std::vector<Explained> found;
+  for (std::size_t i = 0; i < check.comparison.findings.size(); ++i) {
+    if (check.comparison.findings[i].kind == kind)
+      found.push_back({check.comparison.findings[i], check.causes[i]});
+  }
+  REQUIRE(found.size() == 1);
+  return found.front();
 }
 
 }  // namespace
@@ -49,22 +47,21 @@ TEST_CASE("a drawing whose float result is right has no findings and three equal
   const Check result = checked("0 0 4 0  4 0 4 4  4 4 0 4  0 4 0 0  1 1 2 1  2 1 2 2  2 2 1 1");
   CHECK(result.agree());
   CHECK(result.conversion.agree());
-  CHECK(result.crosscheck.exact_counts == result.crosscheck.float_counts);
+  CHECK(result.comparison.exact_counts == result.comparison.float_counts);
   CHECK(result.conversion.exact_counts == result.conversion.float_counts);
-  CHECK(result.result == "repaired");
+  CHECK(result.answer.engine == "lar");
 }
 
 TEST_CASE("vertices nearer than the radius are merged by pruning") {
   // Two ends 0.01 apart and nothing else within 0.1.
   const Check result = checked("0 0 1 0  1.01 0 2 0", 0.1);
-  CHECK(only_cause(result.crosscheck.findings) ==
-        std::pair(Stage::Prune, std::string("merged-within-radius")));
-  const Finding& vertex = only(result.crosscheck.findings, CellKind::Vertex);
+  CHECK(only_cause(result.causes) == StageAndRule("prune", "merged-within-radius"));
+  const auto [vertex, cause] = only_explained(result, CellKind::Vertex);
   CHECK(vertex.disagreement == Disagreement::Merged);
-  CHECK(vertex.cause->round == 1);
-  CHECK(vertex.cause->confirmed);
-  CHECK(vertex.cause->remade == false);
-  CHECK(vertex.cause->advice == "a radius below 0.01 keeps them apart");
+  CHECK(cause.round == 1);
+  CHECK(cause.confirmed);
+  CHECK(cause.remade == false);
+  CHECK(cause.advice == "a radius below 0.01 keeps them apart");
 }
 
 TEST_CASE("with the radius that the advice names there is nothing to find") {
@@ -74,8 +71,8 @@ TEST_CASE("with the radius that the advice names there is nothing to find") {
 TEST_CASE("the radius that the advice names is never above the distance") {
   // The ends are 0.0158699 apart: to three digits that is 0.0159, which would merge them.
   const Check result = checked("0 0 1 0  1.0158699 0 2 0", 0.1);
-  const Finding& vertex = only(result.crosscheck.findings, CellKind::Vertex);
-  CHECK(vertex.cause->advice == "a radius below 0.0158 keeps them apart");
+  const auto [vertex, cause] = only_explained(result, CellKind::Vertex);
+  CHECK(cause.advice == "a radius below 0.0158 keeps them apart");
   CHECK(checked("0 0 1 0  1.0158699 0 2 0", 0.0158).agree());
 }
 
@@ -84,36 +81,33 @@ TEST_CASE("where two edges were led to one vertex, the advice is of the nearer o
   const char* const orders[] = {"0 1 2 1  1 0 1 0.99  0 1.02 2 1",
                                 "0 1.02 2 1  1 0 1 0.99  0 1 2 1"};
   const Check first = checked(orders[0], 0.1), second = checked(orders[1], 0.1);
-  REQUIRE(first.crosscheck.findings.size() == second.crosscheck.findings.size());
+  REQUIRE(first.comparison.findings.size() == second.comparison.findings.size());
   REQUIRE_FALSE(first.agree());
-  for (std::size_t i = 0; i < first.crosscheck.findings.size(); ++i) {
-    CHECK(first.crosscheck.findings[i].cause->advice ==
-          second.crosscheck.findings[i].cause->advice);
+  for (std::size_t i = 0; i < first.comparison.findings.size(); ++i) {
+    CHECK(first.causes[i].advice == second.causes[i].advice);
   }
 }
 
 TEST_CASE("a chain of near vertices is told from a pair of them") {
   // Feet of walls 0.9 radii apart become one: 4 of them span 2.7 radii (catalogue, Q1).
   const Check result = checked("0 0 0 9  0.09 0 1 9  0.18 0 2 9  0.27 0 3 9", 0.1);
-  CHECK(only_cause(result.crosscheck.findings) ==
-        std::pair(Stage::Prune, std::string("chain-collapse")));
+  CHECK(only_cause(result.causes) == StageAndRule("prune", "chain-collapse"));
 }
 
 TEST_CASE("an edge led through a vertex beside it is laid to intersecting") {
   // The wall ends 0.01 below the ceiling: a gap for CAD, a T junction within the radius.
   const Check result = checked("0 1 2 1  1 0 1 0.99", 0.1);
-  CHECK(only_cause(result.crosscheck.findings) ==
-        std::pair(Stage::Intersect, std::string("snapped-to-edge")));
-  for (const Finding& finding : result.crosscheck.findings)
-    CHECK(finding.cause->advice == "a radius below 0.01 keeps them apart");
+  CHECK(only_cause(result.causes) == StageAndRule("intersect", "snapped-to-edge"));
+  for (const Cause& cause : result.causes)
+    CHECK(cause.advice == "a radius below 0.01 keeps them apart");
 }
 
 TEST_CASE("what follows from another finding has its cause") {
   // A quadrangle whose side of 1/100 collapses: one vertex, one edge, one face.
   const Check result = checked("0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0", 0.1);
-  const Finding& face = only(result.crosscheck.findings, CellKind::Face);
+  const auto [face, cause] = only_explained(result, CellKind::Face);
   CHECK(face.because == std::vector<std::size_t>{2});
-  CHECK(face.cause->rule == "merged-within-radius");
+  CHECK(cause.rule == "merged-within-radius");
 }
 
 TEST_CASE("what rounding to doubles changes is laid to parsing where no map has a part in it") {
@@ -122,7 +116,7 @@ TEST_CASE("what rounding to doubles changes is laid to parsing where no map has 
   CHECK(result.agree());
   CHECK(result.conversion.exact_counts.vertices == 4);
   CHECK(result.conversion.float_counts.vertices == 5);
-  CHECK(only_cause(result.conversion.findings).first == Stage::Parse);
+  CHECK(only_cause(result.conversion_causes).first == "parse");
 }
 
 TEST_CASE("what rounding changes after the maps only is laid to transforming") {
@@ -142,23 +136,21 @@ TEST_CASE("what rounding changes after the maps only is laid to transforming") {
   structure.structs = {root};
   structure.root = StructId(0);
 
-  SegmentSet input = evaluate(structure);
-  ExactComplex complex = arrange(input);
-  REQUIRE(complex.vertices.size() == 4);
   CheckOptions options;
   options.parsed = [&] { return evaluate(rounded(structure)); };
-  const Check result = check(std::move(input), std::move(complex), options);
-  CHECK(only_cause(result.conversion.findings).first == Stage::Transform);
+  const Check result = check_lar(evaluate(structure), {}, options);
+  REQUIRE(result.exact_complex.vertices.size() == 4);
+  CHECK(only_cause(result.conversion_causes).first == "transform");
 }
 
 TEST_CASE("findings, causes and counts do not depend on the order or direction of the segments") {
   const Check one = checked("0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0", 0.1);
   const Check other = checked("0 0 0 4  4 0.01 4 0  0 4 4 0.01  4 0 0 0", 0.1);
-  REQUIRE(one.crosscheck.findings.size() == other.crosscheck.findings.size());
-  for (std::size_t i = 0; i < one.crosscheck.findings.size(); ++i) {
-    const Finding &f = one.crosscheck.findings[i], &g = other.crosscheck.findings[i];
+  REQUIRE(one.comparison.findings.size() == other.comparison.findings.size());
+  for (std::size_t i = 0; i < one.comparison.findings.size(); ++i) {
+    const Finding &f = one.comparison.findings[i], &g = other.comparison.findings[i];
     CHECK(f.message == g.message);
-    CHECK(f.cause->explanation == g.cause->explanation);
+    CHECK(one.causes[i].explanation == other.causes[i].explanation);
   }
 }
 
@@ -167,21 +159,17 @@ TEST_CASE("every finding of random drawings has a cause with a rule, and a confi
   CAPTURE(family);
   for (unsigned seed = 0; seed < 1; ++seed) {
     SegmentSet input = random_segments::make(family, seed);
-    ExactComplex complex = arrange(input);
     const double side = lar::arrange(input).trace.radius / lar::kDefaultRelativeRadius;
     for (const double relative : {0.01, 1e-9}) {
       CAPTURE(seed, relative);
-      CheckOptions options;
-      options.radius = side * relative;
-      const Check result = check(input, complex, options);
-      for (const Finding& finding : result.crosscheck.findings) {
-        INFO(finding.message);
-        REQUIRE(finding.cause);
-        CHECK_FALSE(finding.cause->rule.empty());
-        CHECK(finding.cause->confirmed);
+      const Check result = check_lar(input, side * relative);
+      REQUIRE(result.causes.size() == result.comparison.findings.size());
+      for (std::size_t i = 0; i < result.causes.size(); ++i) {
+        INFO(result.comparison.findings[i].message);
+        CHECK_FALSE(result.causes[i].rule.empty());
+        CHECK(result.causes[i].confirmed);
       }
-      CHECK(std::all_of(result.conversion.findings.begin(), result.conversion.findings.end(),
-                        [](const Finding& f) { return f.cause.has_value(); }));
+      CHECK(result.conversion_causes.size() == result.conversion.findings.size());
     }
   }
 }

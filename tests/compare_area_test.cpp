@@ -6,7 +6,7 @@
 #include "compare/winding.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/compare.hpp"
-#include "plumbline/polygons.hpp"
+#include "plumbline/engine/cell_lists.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
@@ -14,7 +14,7 @@ using namespace plumbline;
 namespace {
 
 /// The findings about faces, one a line: disagreement, faces, area.
-std::string areas(const Crosscheck& result) {
+std::string areas(const Comparison& result) {
   std::string text;
   const auto list = [&](const char* side, const std::vector<std::size_t>& cells) {
     if (!cells.empty()) text += std::string(" ") + side;
@@ -32,8 +32,8 @@ std::string areas(const Crosscheck& result) {
 
 std::string areas(const std::string& exact_drawing, const std::string& float_drawing,
                   double tolerance) {
-  return areas(crosscheck(arrange(segments(exact_drawing)),
-                          nearest(arrange(segments(float_drawing))), tolerance));
+  return areas(compare(arrange(segments(exact_drawing)), nearest(arrange(segments(float_drawing))),
+                       tolerance));
 }
 
 CellLists squares(std::initializer_list<std::array<double, 3>> corners_and_sides) {
@@ -51,7 +51,7 @@ CellLists squares(std::initializer_list<std::array<double, 3>> corners_and_sides
 /// What is wrong with the areas that the polygons cover.
 std::string coverage(const CellLists& cells, double tolerance = 0) {
   const FloatComplex complex = complex_from_faces(cells);
-  const Crosscheck result = crosscheck(arrange(segments("")), complex, tolerance);
+  const Comparison result = compare(arrange(segments("")), complex, tolerance);
   std::string text;
   for (const Finding& f : result.findings)
     if (f.invariant == Invariant::Area) text += f.message + '\n';
@@ -113,7 +113,7 @@ TEST_CASE("a face that is left out leaves a gap of its area, if others remain ar
   }
   lacking.face_holes = holes;
   lacking.face_isolated_vertices = isolated;
-  const Crosscheck result = crosscheck(plan, canonical(lacking), 0);
+  const Comparison result = compare(plan, canonical(lacking), 0);
   const auto gap = std::find_if(result.findings.begin(), result.findings.end(),
                                 [](const Finding& f) { return f.invariant == Invariant::Area; });
   REQUIRE(gap != result.findings.end());
@@ -136,7 +136,7 @@ TEST_CASE("an overlap no wider than the tolerance follows from the edges that cr
 
 TEST_CASE("windings count how often boundaries run around a place") {
   // A square run twice, another one once the other way round inside.
-  std::vector<matching::BoundaryPiece> pieces;
+  std::vector<compare_steps::BoundaryPiece> pieces;
   const auto add = [&](const std::vector<Point>& corners, std::size_t label) {
     for (std::size_t i = 0; i < corners.size(); ++i)
       pieces.push_back({corners[i], corners[(i + 1) % corners.size()], label, EdgeId()});
@@ -146,12 +146,12 @@ TEST_CASE("windings count how often boundaries run around a place") {
   add(square, 7);
   add({{1, 1}, {1, 2}, {2, 2}, {2, 1}}, 5);
   add({{6, 0}, {6, 0}, {6, 0}}, 9);  // no boundary at all
-  const auto result = matching::overlaid(pieces, {{3, 1}});
+  const auto result = compare_steps::overlaid(pieces, {{3, 1}});
   REQUIRE(result);
   const auto at = [&](const Point& p) { return result->windings[locate(result->complex, p)]; };
-  using Windings = matching::Windings;
+  using Windings = compare_steps::Windings;
   CHECK(at({9, 9}) == Windings{{3, 1}});
   CHECK(at({3, 3}) == Windings{{3, 1}, {7, 2}});
   CHECK(at({Rational(3, 2), Rational(3, 2)}) == Windings{{3, 1}, {5, -1}, {7, 2}});
-  CHECK_FALSE(matching::overlaid({{{0, 0}, {rational_from(1e300), 0}, 0, EdgeId()}}, {}));
+  CHECK_FALSE(compare_steps::overlaid({{{0, 0}, {rational_from(1e300), 0}, 0, EdgeId()}}, {}));
 }

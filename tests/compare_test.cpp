@@ -23,7 +23,7 @@ std::string list(const char* side, const std::vector<std::size_t>& cells) {
 }
 
 /// One finding a line: kind, disagreement, cells on both sides.
-std::string findings(const Crosscheck& result) {
+std::string findings(const Comparison& result) {
   std::string text;
   for (const Finding& f : result.findings)
     text += to_text(f.kind) + ' ' + to_text(f.disagreement) + list("exact", f.exact_cells) +
@@ -33,7 +33,7 @@ std::string findings(const Crosscheck& result) {
 
 std::string findings(const std::string& exact_drawing, const std::string& float_drawing,
                      double tolerance) {
-  return findings(crosscheck(drawn(exact_drawing), nearest(drawn(float_drawing)), tolerance));
+  return findings(compare(drawn(exact_drawing), nearest(drawn(float_drawing)), tolerance));
 }
 
 /// A copy whose face `to` has the hole or isolated vertex of face `from` as well; `from` loses it.
@@ -61,7 +61,7 @@ const std::string kRoom = rectangle(0, 0, 9, 9);
 
 TEST_CASE("a complex agrees with its own nearest doubles") {
   const ExactComplex plan = drawn(kRoom + rectangle(2, 2, 5, 5) + "1/3 0 1/7 9  7 1 7 8  + 3 3");
-  const Crosscheck result = crosscheck(plan, nearest(plan), 0x1p-50);
+  const Comparison result = compare(plan, nearest(plan), 0x1p-50);
   CHECK(findings(result) == "");
   CHECK(result.agree());
   CHECK(result.float_valid);
@@ -94,10 +94,10 @@ TEST_CASE("a vertex moved by just the tolerance matches, beyond it it is moved")
     return result;
   };
   const ExactComplex triangle = drawn(kTriangle);
-  const Crosscheck inside = crosscheck(triangle, moved_to(1.25), 0.25);
+  const Comparison inside = compare(triangle, moved_to(1.25), 0.25);
   CHECK(findings(inside) == "");
   CHECK(inside.largest_displacement == 0.25);
-  const Crosscheck outside = crosscheck(triangle, moved_to(1.25 + 0x1p-52), 0.25);
+  const Comparison outside = compare(triangle, moved_to(1.25 + 0x1p-52), 0.25);
   CHECK(findings(outside) == "vertex moved exact 2 float 2\n");
   CHECK(outside.findings[0].distance == 0.25 + 0x1p-52);
   const Rational by = Rational(1, 4) + Rational(1, mpz_class(1) << 52);
@@ -111,8 +111,8 @@ TEST_CASE("a vertex moved by just the tolerance matches, beyond it it is moved")
 
 TEST_CASE("a vertex that leads elsewhere has not moved: it is missing, the other one extra") {
   // Of the same neighbours, but along other segments; of other neighbours.
-  const Crosscheck antenna =
-      crosscheck(drawn("0 0 4 0  4 0 4 3"), nearest(drawn("0 0 4 0  0 0 0 4")), 0.1);
+  const Comparison antenna =
+      compare(drawn("0 0 4 0  4 0 4 3"), nearest(drawn("0 0 4 0  0 0 0 4")), 0.1);
   CHECK(findings(antenna) ==
         "vertex missing exact 2\nvertex extra float 1\nedge missing exact 1\nedge extra float 0\n");
   CHECK(antenna.findings[2].message ==
@@ -122,7 +122,7 @@ TEST_CASE("a vertex that leads elsewhere has not moved: it is missing, the other
   other.edge_sources = {};
   for (const std::size_t source : {0, 7})
     other.edge_sources.push_back(std::vector{SegmentId(source)});
-  CHECK(findings(crosscheck(drawn("0 0 4 0  4 0 4 3"), other, 0.1)) ==
+  CHECK(findings(compare(drawn("0 0 4 0  4 0 4 3"), other, 0.1)) ==
         "vertex missing exact 2\nvertex extra float 2\nedge missing exact 1\nedge extra float 1\n");
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("a drawing that was shifted as a whole has all its vertices moved") {
   const ExactComplex plan = drawn(kRoom + rectangle(2, 2, 5, 5) + "+ 3 3");
   FloatComplex shifted = nearest(plan);
   for (PointD& p : shifted.vertices) p.x += 0.5;
-  const Crosscheck result = crosscheck(plan, shifted, 0.1);
+  const Comparison result = compare(plan, shifted, 0.1);
   REQUIRE(result.findings.size() == plan.vertices.size());
   for (const Finding& f : result.findings) {
     CHECK(f.disagreement == Disagreement::Moved);
@@ -141,8 +141,8 @@ TEST_CASE("a drawing that was shifted as a whole has all its vertices moved") {
 }
 
 TEST_CASE("two vertices that became one are merged, and the edge between them is collapsed") {
-  const Crosscheck result = crosscheck(drawn("0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0"),
-                                       nearest(drawn("0 0 4 0  4 0 0 4  0 4 0 0")), 0.1);
+  const Comparison result = compare(drawn("0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0"),
+                                    nearest(drawn("0 0 4 0  4 0 0 4  0 4 0 0")), 0.1);
   CHECK(findings(result) ==
         "vertex merged exact 2 3 float 2\nedge merged exact 3\nface reshaped exact 1 float 1\n");
   CHECK(result.findings[0].message == "two exact vertices 0.01 apart became one float vertex");
@@ -154,9 +154,9 @@ TEST_CASE("two vertices that became one are merged, and the edge between them is
 }
 
 TEST_CASE("a lost wall merges two rooms") {
-  const Crosscheck result =
-      crosscheck(drawn(rectangle(0, 0, 4, 2) + "2 0 2 2"),
-                 nearest(drawn("0 0 2 0  2 0 4 0  4 0 4 2  4 2 2 2  2 2 0 2  0 2 0 0")), 0.1);
+  const Comparison result =
+      compare(drawn(rectangle(0, 0, 4, 2) + "2 0 2 2"),
+              nearest(drawn("0 0 2 0  2 0 4 0  4 0 4 2  4 2 2 2  2 2 0 2  0 2 0 0")), 0.1);
   CHECK(findings(result) == "edge missing exact 3\nface merged exact 1 2 float 1\n");
   CHECK(to_text(result.findings[0].where) == "2 1");
   CHECK(result.findings[0].segments == std::vector{SegmentId(4)});
@@ -198,14 +198,14 @@ TEST_CASE("a pillar that strays over a wall is a component in the wrong face") {
   const FaceId left = locate(plan, {1, 2}), right = locate(plan, {7, 1});
   FloatComplex broken = nearest(plan);
   broken.face_holes = moved(plan.face_holes, plan.face_holes[left][0], left, right);
-  const Crosscheck hole_moved = crosscheck(plan, canonical(broken), 0);
+  const Comparison hole_moved = compare(plan, canonical(broken), 0);
   CHECK(findings(hole_moved) == "vertex invalid float 3\nhole wrong parent exact 2 float 2\n");
   CHECK_FALSE(hole_moved.float_valid);
 
   broken = nearest(plan);
   broken.face_isolated_vertices =
       moved(plan.face_isolated_vertices, plan.face_isolated_vertices[left][0], left, right);
-  CHECK(findings(crosscheck(plan, canonical(broken), 0)) ==
+  CHECK(findings(compare(plan, canonical(broken), 0)) ==
         "vertex invalid float 2\nvertex wrong parent exact 2 float 2\n");
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("a missed crossing is invalid, a missing vertex and two pairs of merge
   REQUIRE(missed.vertices[2] == PointD{5, 2});
   missed.vertices[2].x = 0;  // ... and is moved onto the first, without a vertex where they cross
   missed.vertices[3].x = 2;
-  CHECK(findings(crosscheck(cross, canonical(missed), 0.1)) ==
+  CHECK(findings(compare(cross, canonical(missed), 0.1)) ==
         "edge invalid float 0 1\nvertex missing exact 2\n"
         "edge merged exact 0 3 float 0\nedge merged exact 1 2 float 1\n");
 }
@@ -243,8 +243,8 @@ TEST_CASE("what is missing and merged one way round is extra and split the other
   for (const Pair& pair : pairs) {
     INFO(pair.name);
     const ExactComplex a = drawn(pair.exact_drawing), b = drawn(pair.float_drawing);
-    const auto forth = crosscheck(a, nearest(b), 1. / 16).findings;
-    const auto back = crosscheck(b, nearest(a), 1. / 16).findings;
+    const auto forth = compare(a, nearest(b), 1. / 16).findings;
+    const auto back = compare(b, nearest(a), 1. / 16).findings;
     std::vector<std::string> expected, got;
     for (const Finding& f : forth)
       expected.push_back(to_text(f.kind) + ' ' + to_text(mirrored(f.disagreement)) +
@@ -267,7 +267,7 @@ TEST_CASE("a hole that two holes became is merged") {
 
 TEST_CASE("a closed gap makes a face, and the merged vertices are named as its cause") {
   const std::string open = "0 0 4 0  4 0 4 4  4 4 0 4  0 4 0 0.01";
-  const Crosscheck result = crosscheck(drawn(open), nearest(drawn(rectangle(0, 0, 4, 4))), 0.1);
+  const Comparison result = compare(drawn(open), nearest(drawn(rectangle(0, 0, 4, 4))), 0.1);
   CHECK(findings(result) == "vertex merged exact 0 1 float 0\nface extra float 1\n");
   CHECK(result.findings[1].message ==
         "a float face has no exact counterpart; its place is in the unbounded exact face, because "
@@ -295,13 +295,13 @@ TEST_CASE("a drawing and a part of it agree just if their complexes are equal") 
     const bool are_equal = signature(whole) == signature(other);
     agreements += are_equal;
     // Grid points and their crossings are further apart than this.
-    CHECK(crosscheck(whole, nearest(other), 1e-6).agree() == are_equal);
+    CHECK(compare(whole, nearest(other), 1e-6).agree() == are_equal);
   }
   CHECK(agreements > kRounds / 10);
   CHECK(agreements < kRounds * 9 / 10);
 }
 
-TEST_CASE("whatever is done to a float complex, the cross-check ends with findings") {
+TEST_CASE("whatever is done to a float complex, the comparison ends with findings") {
   std::mt19937 random(2);
   const auto below = [&](std::size_t n) { return random() % n; };
   const ExactComplex plan =
@@ -331,7 +331,7 @@ TEST_CASE("whatever is done to a float complex, the cross-check ends with findin
     }
     broken = canonical(broken);
     INFO("round " << round);
-    CHECK(crosscheck(plan, broken, 1e-6).agree() == (broken == nearest(plan)));
+    CHECK(compare(plan, broken, 1e-6).agree() == (broken == nearest(plan)));
   }
 }
 
@@ -339,7 +339,7 @@ TEST_CASE("a tolerance that is negative or not finite is bad input") {
   const ExactComplex triangle = drawn(kTriangle);
   for (const double tolerance :
        {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
-    CHECK_THROWS_AS(crosscheck(triangle, nearest(triangle), tolerance), Error);
+    CHECK_THROWS_AS(compare(triangle, nearest(triangle), tolerance), Error);
 }
 
 TEST_CASE("many points are located as one by one") {
@@ -357,5 +357,5 @@ TEST_CASE("many points are located as one by one") {
       expected.push_back(locate(plan, p));
     }
   CHECK(points.size() > 1000);
-  CHECK(matching::locate_all(plan, points) == expected);
+  CHECK(compare_steps::locate_all(plan, points) == expected);
 }

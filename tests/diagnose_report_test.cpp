@@ -49,8 +49,7 @@ TEST_CASE("the JSON fits its schema, which refuses what is no diagnosis") {
   for (const std::optional<Rational>& within :
        {std::optional<Rational>(), std::optional<Rational>(2)}) {
     const SegmentSet input = segments(drawing);
-    rapidjson::Document json =
-        parsed(report_json(diagnose(input, arrange(input), {within}), input));
+    rapidjson::Document json = parsed(to_json(diagnose(input, arrange(input), {within}), input));
     CHECK(fits_schema(json));
     json["counts"].RemoveMember("bridge");
     CHECK_FALSE(fits_schema(json));
@@ -59,7 +58,7 @@ TEST_CASE("the JSON fits its schema, which refuses what is no diagnosis") {
 
 TEST_CASE("the text counts all kinds, then lists each with its elements") {
   const Example example;
-  const std::string text = report_text(example.diagnosis(), example.input, 1);
+  const std::string text = to_text(example.diagnosis(), example.input, 1);
   CHECK(text.substr(0, text.find('\n')) == "4 defects; near means within 0.25; 3 loose ends");
   CHECK(text.find("  duplicate              1\n") != std::string::npos);
   CHECK(text.find("  sliver                 0\n") != std::string::npos);
@@ -74,7 +73,7 @@ TEST_CASE("the text counts all kinds, then lists each with its elements") {
 
 TEST_CASE("the JSON has exact sizes, cells and sources") {
   const Example example;
-  const rapidjson::Document json = parsed(report_json(example.diagnosis(), example.input));
+  const rapidjson::Document json = parsed(to_json(example.diagnosis(), example.input));
   CHECK(std::string(json["format"].GetString()) == "plumbline diagnosis 1");
   CHECK(std::string(json["within"]["exact"].GetString()) == "0.25");
   CHECK(json["counts"].MemberCount() == kDefectKinds);
@@ -98,13 +97,12 @@ TEST_CASE("the JSON has exact sizes, cells and sources") {
 TEST_CASE("the picture has a panel for each kind, with what was left out") {
   const Example example;
   pugi::xml_document svg;
-  REQUIRE(
-      svg.load_string(report_svg(example.diagnosis(1), example.input, example.complex).c_str()));
+  REQUIRE(svg.load_string(to_svg(example.diagnosis(1), example.input, example.complex).c_str()));
   std::string titles;
   for (const pugi::xml_node& panel : svg.child("svg").children("g"))
     titles += std::string(panel.child("text").text().get()) + "; ";
   CHECK(titles == "duplicate: 1; undershoot: 1; dangle: 2, of which 1 are marked; ");
   const SegmentSet nothing;
   const ExactComplex empty = arrange(nothing);
-  CHECK(svg.load_string(report_svg(diagnose(nothing, empty), nothing, empty).c_str()));
+  CHECK(svg.load_string(to_svg(diagnose(nothing, empty), nothing, empty).c_str()));
 }

@@ -225,7 +225,7 @@ TEST_CASE("tolerances say what they mend and what they destroy") {
 }
 
 TEST_CASE("sums of square roots are compared exactly") {
-  using diagnosing::Roots;
+  using diagnose_steps::Roots;
   CHECK(Roots({4, Rational(9, 4)}).compare(Rational(7, 2)) == 0);
   // sqrt(2) + sqrt(3) = 3.146264369941972342...
   const Rational decimal = parse_decimal("3.14626436994197234");

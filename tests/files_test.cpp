@@ -31,18 +31,18 @@ SegmentSet nested_squares() {
 }
 
 /// The findings of a result of `nested_squares`, "kind disagreement" each.
-std::vector<std::string> findings(ForeignResult result) {
+std::vector<std::string> findings(files::Result result) {
   const SegmentSet input = nested_squares();
   std::vector<std::string> list;
   for (const Finding& f :
-       check_against(input, arrange(input), std::move(result)).crosscheck.findings)
+       check(input, arrange(input), files::answer(std::move(result))).comparison.findings)
     list.push_back(to_text(f.kind) + " " + to_text(f.disagreement));
   return list;
 }
 using Texts = std::vector<std::string>;
 
 /// The place and the first words of the error.
-std::string error_of(ForeignResult (*read)(std::string_view, const std::string&),
+std::string error_of(files::Result (*read)(std::string_view, const std::string&),
                      std::string_view text) {
   try {
     read(text, "f");
@@ -56,7 +56,7 @@ constexpr const char* kVertices = R"("V": [[0,0],[9,0],[9,9],[0,9],[3,3],[6,3],[
 constexpr const char* kEdges = R"("EV": [[0,1],[1,2],[2,3],[3,0],[4,5],[5,6],[6,7],[7,4]])";
 
 std::string model(const std::string& members) { return "{" + (kVertices + (", " + members)) + "}"; }
-ForeignResult read_lar(const std::string& members) { return read_lar_result(model(members), "f"); }
+files::Result read_lar(const std::string& members) { return files::read_lar(model(members), "f"); }
 
 }  // namespace
 
@@ -71,8 +71,8 @@ TEST_CASE("result: LAR faces with their holes agree, as polygons and as sets of 
 TEST_CASE("result: LAR lists without names, and indices from 1, are understood") {
   const std::string v = std::string(kVertices).substr(5), ev = std::string(kEdges).substr(6);
   const std::string fv = "[[0,1,2,3,4,5,6,7],[4,5,6,7]]";
-  CHECK(findings(read_lar_result("[" + v + "," + fv + "," + ev + "]", "f")).empty());
-  const ForeignResult edges = read_lar_result("[" + v + "," + ev + "]", "f");
+  CHECK(findings(files::read_lar("[" + v + "," + fv + "," + ev + "]", "f")).empty());
+  const files::Result edges = files::read_lar("[" + v + "," + ev + "]", "f");
   CHECK_FALSE(edges.has_faces);
   CHECK(findings(edges).empty());
   const std::string from_1 =
@@ -82,7 +82,7 @@ TEST_CASE("result: LAR lists without names, and indices from 1, are understood")
 }
 
 TEST_CASE("result: a hole that LAR's faces do not have is missing") {
-  const ForeignResult result = read_lar(kEdges + std::string(R"(, "FV": [[0,1,2,3],[4,5,6,7]])"));
+  const files::Result result = read_lar(kEdges + std::string(R"(, "FV": [[0,1,2,3],[4,5,6,7]])"));
   CHECK(result.has_faces);
   // Without its hole the outer square overlaps the inner one.
   CHECK(findings(result) ==
@@ -90,11 +90,11 @@ TEST_CASE("result: a hole that LAR's faces do not have is missing") {
 }
 
 TEST_CASE("result: repeated vertices of LAR stay, those of GeoJSON and WKT are one") {
-  const ForeignResult twice = read_lar_result(
+  const files::Result twice = files::read_lar(
       R"({"V": [[0,0],[1,0],[0,1],[1,0],[0,1],[1,1]], "FV": [[0,1,2],[3,5,4]]})", "f");
   CHECK(twice.complex.vertices.size() == 6);
-  const ForeignResult once =
-      read_wkt_result("POLYGON((0 0,1 0,0 1,0 0));POLYGON((1 0,1 1,0 1,1 0))", "f");
+  const files::Result once =
+      files::read_wkt("POLYGON((0 0,1 0,0 1,0 0));POLYGON((1 0,1 1,0 1,1 0))", "f");
   CHECK(once.complex.vertices.size() == 4);
   CHECK(validate(once.complex).empty());
 }
@@ -102,28 +102,28 @@ TEST_CASE("result: repeated vertices of LAR stay, those of GeoJSON and WKT are o
 TEST_CASE("result: polygons agree in every format of features") {
   const std::string outer = "[[[0,0],[0,9],[9,9],[9,0],[0,0]],[[3,3],[6,3],[6,6],[3,6],[3,3]]]";
   const std::string inner = "[[[3,3],[6,3],[6,6],[3,6],[3,3]]]";
-  CHECK(findings(read_geojson_result(
+  CHECK(findings(files::read_geojson(
                      R"({"type":"MultiPolygon","coordinates":[)" + outer + "," + inner + "]}", "f"))
             .empty());
   CHECK(findings(
-            read_geojson_result(
+            files::read_geojson(
                 R"({"type":"GeometryCollection","geometries":[{"type":"Polygon","coordinates":)" +
                     outer + R"(},{"type":"Polygon","coordinates":)" + inner + "}]}",
                 "f"))
             .empty());
   const std::string wkt_outer = "((0 0,0 9,9 9,9 0,0 0),(3 3,6 3,6 6,3 6,3 3))";
   const std::string wkt_inner = "((3 3,6 3,6 6,3 6,3 3))";
-  CHECK(findings(read_wkt_result("POLYGON" + wkt_outer + "\nPOLYGON" + wkt_inner, "f")).empty());
+  CHECK(findings(files::read_wkt("POLYGON" + wkt_outer + "\nPOLYGON" + wkt_inner, "f")).empty());
   CHECK(
-      findings(read_wkt_result("MULTIPOLYGON(" + wkt_outer + "," + wkt_inner + ")", "f")).empty());
+      findings(files::read_wkt("MULTIPOLYGON(" + wkt_outer + "," + wkt_inner + ")", "f")).empty());
 }
 
 TEST_CASE("result: lines alone have no faces to compare") {
-  const ForeignResult right =
-      read_wkt_result("MULTILINESTRING((0 0,9 0,9 9,0 9,0 0),(3 3,6 3,6 6,3 6,3 3))", "f");
+  const files::Result right =
+      files::read_wkt("MULTILINESTRING((0 0,9 0,9 9,0 9,0 0),(3 3,6 3,6 6,3 6,3 3))", "f");
   CHECK_FALSE(right.has_faces);
   CHECK(findings(right).empty());
-  CHECK(findings(read_wkt_result("LINESTRING(0 0,9 0,9 9,0 9,0 0,3 3,6 3,6 6,3 6,3 3)", "f")) ==
+  CHECK(findings(files::read_wkt("LINESTRING(0 0,9 0,9 9,0 9,0 0,3 3,6 3,6 6,3 6,3 3)", "f")) ==
         Texts{"edge extra"});
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("result: what arrange writes is read back exactly") {
   SegmentSet set = nested_squares();
   set.add({{0, 1}, {9, 8}}, set.add_source({}));  // meets the inner square in ninths
   const ExactComplex complex = arrange(set);
-  const ForeignResult result = read_arrangement(to_json(complex, set), "f");
+  const files::Result result = files::read_arrangement(to_json(complex, set), "f");
   CHECK(result.complex.vertices == complex.vertices);
   CHECK(signature(result.complex) == signature(complex));
   CHECK(validate(result.complex).empty());
@@ -153,21 +153,21 @@ TEST_CASE("result: files are told by their endings, and JSON by its members") {
     return folder / name;
   };
   const std::string faces = kEdges + std::string(R"(, "FV": [[0,1,2,3,4,5,6,7],[4,5,6,7]])");
-  CHECK(findings(read_result(file("lar.json", model(faces)))).empty());
-  CHECK(findings(read_result(
+  CHECK(findings(files::read(file("lar.json", model(faces)))).empty());
+  CHECK(findings(files::read(
                      file("trace.json", R"({"outputs": {"larFromLines": )" + model(faces) + "}}")))
             .empty());
-  CHECK(findings(read_result(file("csv.csv",
+  CHECK(findings(files::read(file("csv.csv",
                                   "wkt\n\"POLYGON((0 0,9 0,9 9,0 9,0 0),(3 3,6 3,6 6,3 6,3 3))\"\n"
                                   "\"POLYGON((3 3,6 3,6 6,3 6,3 3))\"\n")))
             .empty());
-  CHECK_THROWS_AS(read_result(file("plan.svg", "<svg/>")), Error);
-  CHECK_THROWS_AS(read_result(folder / "none.json"), Error);
+  CHECK_THROWS_AS(files::read(file("plan.svg", "<svg/>")), Error);
+  CHECK_THROWS_AS(files::read(folder / "none.json"), Error);
   fs::remove_all(folder);
 }
 
 TEST_CASE("result: malformed LAR is an error at its place") {
-  const auto error = [](const std::string& text) { return error_of(read_lar_result, text); };
+  const auto error = [](const std::string& text) { return error_of(files::read_lar, text); };
   CHECK(error(R"({"V": [[0,0],[1,0]], "EV": [[0,2],[0,1]]})") ==
         "f:1:33: not LAR: no such vertex: 2 are counted from 0 (a member index_base of 0 or 1 says "
         "from where): \"2\"");
@@ -181,7 +181,7 @@ TEST_CASE("result: malformed LAR is an error at its place") {
 
 TEST_CASE("result: a malformed arrangement is an error at its place") {
   const auto error = [](const std::string& edges, const std::string& face) {
-    return error_of(read_arrangement,
+    return error_of(files::read_arrangement,
                     R"({"format":"plumbline arrangement 1","vertices":[{"exact":["0","0"]}],)"
                     R"("edges":[)" +
                         edges + R"(],"faces":[)" + face + "]}");
@@ -197,12 +197,12 @@ TEST_CASE("result: a malformed arrangement is an error at its place") {
 }
 
 TEST_CASE("result: what is left out of a result is listed") {
-  const ForeignResult result =
-      read_lar_result(R"({"V": [[0,0],[1,0],[0,1]], "FV": [[0,1,2],[1]], "areas": [1]})", "f");
+  const files::Result result =
+      files::read_lar(R"({"V": [[0,0],[1,0],[0,1]], "FV": [[0,1,2],[1]], "areas": [1]})", "f");
   REQUIRE(result.rejected.size() == 2);
   CHECK(result.rejected[0].reason == "this member of a LAR model is not understood");
   CHECK(result.rejected[1].text == "1 face");
-  const ForeignResult points = read_wkt_result("POINT(1 1);POLYGON((0 0,1 0,0 1))", "f");
+  const files::Result points = files::read_wkt("POINT(1 1);POLYGON((0 0,1 0,0 1))", "f");
   REQUIRE(points.rejected.size() == 2);
   CHECK(points.rejected[1].reason == "ring is not closed; it is taken as closed");
   CHECK(points.has_faces);

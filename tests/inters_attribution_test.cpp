@@ -9,6 +9,7 @@
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
+#include "plumbline/engines/inters.hpp"
 #include "plumbline/read.hpp"
 #include "support/recorded.hpp"
 #include "support/segments.hpp"
@@ -17,27 +18,32 @@ using namespace plumbline;
 
 namespace {
 
-constexpr auto kFaces = PublishedResult::LarFromLines;
-constexpr auto kAll = PublishedResult::AllComponents;
-constexpr auto kCells = PublishedResult::CellsFromCycles;
+constexpr auto kFaces = inters::Result::LarFromLines;
+constexpr auto kAll = inters::Result::AllComponents;
+constexpr auto kCells = inters::Result::CellsFromCycles;
 
 /// Compared far below the radius, so that what moves shows, too.
 constexpr double kTolerance = 1e-6;
 
-Check check_published(const SegmentSet& input, PublishedResult result = kFaces,
-                      double tolerance = kTolerance) {
-  CheckOptions options;
-  options.tolerance = tolerance;
-  options.published = PublishedCheck{};
-  options.published->result = result;
-  return check(input, arrange(input), options);
+const char* name(inters::Result result) {
+  return result == kFaces ? "larFromLines" : result == kAll ? "allComponents" : "cells";
 }
 
-/// "intersect parallel-skipped 3; ...": stages, rules and their findings.
-std::string causes(const Check& check) {
+Check check_published(const SegmentSet& input, inters::Result result = kFaces,
+                      double tolerance = kTolerance) {
+  Answer answer = answer_of(inters::engine(), input, {{"result", std::string(name(result))}});
+  return check(input, arrange(input), std::move(answer), {tolerance, {}, 0});
+}
+
+/// "intersect parallel-skipped 3; ...": stages, rules and their findings, of those whose message
+/// has the text.
+std::string causes(const Check& check, const std::string& about = "") {
   std::map<std::string, std::size_t> counts;
-  for (const Finding& finding : check.crosscheck.findings)
-    ++counts[finding.cause ? to_text(finding.cause->stage) + ' ' + finding.cause->rule : "nobody"];
+  REQUIRE(check.causes.size() == check.comparison.findings.size());
+  for (std::size_t i = 0; i < check.causes.size(); ++i) {
+    if (check.comparison.findings[i].message.find(about) == std::string::npos) continue;
+    ++counts[check.causes[i].stage + ' ' + check.causes[i].rule];
+  }
   std::string text;
   for (const auto& [cause, count] : counts) text += cause + ' ' + std::to_string(count) + "; ";
   return text;
@@ -61,7 +67,7 @@ SegmentSet recorded_input(const std::string& name) {
 struct Row {
   std::string id;
   SegmentSet input;
-  PublishedResult result;
+  inters::Result result;
   std::string cause;
 };
 
@@ -152,15 +158,10 @@ TEST_CASE("what svg2lines would misread is found and named") {
     const std::string svg =
         "<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + elements + "\n</svg>\n";
     SegmentSet input = evaluate(read_svg(svg, "text"));
-    ExactComplex complex = arrange(input);
-    CheckOptions options;
-    options.published = PublishedCheck{};
-    options.published->svg = svg;
-    Check result = check(std::move(input), std::move(complex), options);
-    std::erase_if(result.crosscheck.findings,
-                  [](const Finding& f) { return f.message.find("svg2lines") == f.message.npos; });
+    const Answer answer = answer_of(inters::engine({{}, svg}), input);
+    const Check result = check(input, arrange(input), answer);
     INFO(id);
-    CHECK(causes(result) == cause);
+    CHECK(causes(result, "svg2lines") == cause);
   }
 }
 

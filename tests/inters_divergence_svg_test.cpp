@@ -9,7 +9,6 @@
 #include "support/segments.hpp"
 
 using namespace plumbline;
-namespace published = plumbline::lar::published;
 
 TEST_CASE("S: what svg2lines misreads, the SVG reader reads, maps or names") {
   const std::string line = "<line fill=\"none\" x1=\"0.5\" y1=\"0.5\" x2=\"4.5\" y2=\"8.5\"/>";
@@ -46,14 +45,14 @@ TEST_CASE("S: what svg2lines misreads, the SVG reader reads, maps or names") {
                "SyntaxError", "1 2, 4 2; 4 2, 4 6; 4 6, 1 6; 1 6, 1 2; rejected 0"}}));
   INFO(id);
   const std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + elements + "\n</svg>\n";
-  const published::Vcode vcode(published::kDecimals);
+  const inters::Vcode vcode(inters::kDecimals);
   std::string found;
   try {
-    for (const SegmentD& s : published::svg_to_lines(svg, true, vcode)) {
+    for (const SegmentD& s : inters::svg_to_lines(svg, true, vcode)) {
       found += shortest_text(s.a.x) + ' ' + shortest_text(s.a.y) + ", " + shortest_text(s.b.x) +
                ' ' + shortest_text(s.b.y) + "; ";
     }
-  } catch (const published::StageFailure& failed) {
+  } catch (const inters::StageFailure& failed) {
     found = failed.failure().error;
   }
   CHECK(found == of_published);

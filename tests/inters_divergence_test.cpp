@@ -14,17 +14,16 @@
 #include "support/segments.hpp"
 
 using namespace plumbline;
-namespace published = plumbline::lar::published;
 
 namespace {
 
-published::Trace run_published(const std::string& text) {
-  return published::run(published::lines(segments(text)));
+inters::Trace run_published(const std::string& text) {
+  return inters::run(inters::lines(segments(text)));
 }
 
 /// "V 6 E 6 F 1" with the faces of larFromLines, "none" where it has no result, then failures.
 std::string published_summary(const std::string& text) {
-  const published::Trace trace = run_published(text);
+  const inters::Trace trace = run_published(text);
   std::ostringstream summary;
   summary << "V " << trace.lar.vertices.size() << " E " << trace.lar.edges.size() << " F ";
   if (trace.lar_from_lines) {
@@ -33,7 +32,7 @@ std::string published_summary(const std::string& text) {
     summary << "none";
   }
   if (trace.largest && trace.largest->aborted) summary << " aborted";
-  for (const published::Failure& failure : trace.failures) {
+  for (const inters::Failure& failure : trace.failures) {
     const bool matters = failure.stage == "buckets" || failure.stage == "components" ||
                          failure.stage == "larFromLines";
     if (matters) summary << "; " << failure.stage << ": " << failure.error;
@@ -61,13 +60,13 @@ std::string recorded_text(const std::string& name) {
 }
 
 /// Sizes of the biconnected components.
-std::string component_sizes(const published::Trace& trace) {
+std::string component_sizes(const inters::Trace& trace) {
   std::string text;
   for (const auto& component : trace.components) text += std::to_string(component.size()) + ' ';
   return text;
 }
 
-const published::Vcode kVcode(published::kDecimals);
+const inters::Vcode kVcode(inters::kDecimals);
 
 }  // namespace
 
@@ -98,8 +97,8 @@ TEST_CASE("I: intersection") {
 }
 
 TEST_CASE("I4: a corner is missed, harmlessly, where the parameter overshoots by an ulp") {
-  const published::Trace trace = run_published("0 0 7 0  7 0 7 11");
-  for (const published::Fragment& fragment : trace.fragments) CHECK(fragment.parameters.empty());
+  const inters::Trace trace = run_published("0 0 7 0  7 0 7 11");
+  for (const inters::Fragment& fragment : trace.fragments) CHECK(fragment.parameters.empty());
   CHECK(trace.lar.vertices.size() == 3);
   CHECK(repaired_summary("0 0 7 0  7 0 7 11") == "V 3 E 2 F 1 C 1 antennas 2");
 }
@@ -109,7 +108,7 @@ TEST_CASE("I8: far from the origin 12 digits are not enough") {
   for (const auto& recorded_case : cases.GetArray()) {
     if (recorded_case["case"].GetString() != std::string("scale-translated-1e9")) continue;
     const auto lines = recorded_lines(recorded_case["lines"]);
-    const published::Trace trace = published::run(lines);
+    const inters::Trace trace = inters::run(lines);
     CHECK(trace.lar.vertices.size() == 66);
     CHECK(trace.lar.edges.size() == 52);
     CHECK(!trace.lar_from_lines);
@@ -121,7 +120,7 @@ TEST_CASE("I8: far from the origin 12 digits are not enough") {
 
 TEST_CASE("I10: a segment without length stays as an edge of one vertex, or is dropped") {
   const std::vector<SegmentD> lines{{{0.5, 0.5}, {0.5, 0.5}}, {{0, 0}, {1, 1}}};
-  const published::Trace trace = published::run(lines);
+  const inters::Trace trace = inters::run(lines);
   CHECK(trace.lar.vertices.size() == 3);
   CHECK(trace.lar.edges.size() == 2);
   CHECK(trace.lar.edges[0][0] == trace.lar.edges[0][1]);
@@ -150,7 +149,7 @@ TEST_CASE("Q: quantisation and merging") {
 }
 
 TEST_CASE("Q5: the largest component's faces do not add up") {
-  const published::Model faces =
+  const inters::Model faces =
       run_published(recorded_text("divergence-merge-euler0")).largest->model;
   CHECK(faces.vertices.size() + faces.faces.size() - faces.edges.size() == 0);
 }
@@ -169,7 +168,7 @@ TEST_CASE("Q2: rounding decides at the radius itself, in both variants, by the s
 }
 
 TEST_CASE("Q3: a corner drifts off the grid by the rounded parameter and the mean") {
-  const published::Trace trace = run_published(rectangle(0, 0, 7, 11) + "0 1 7 1");
+  const inters::Trace trace = run_published(rectangle(0, 0, 7, 11) + "0 1 7 1");
   const auto& vertices = trace.lar.vertices;
   CHECK(std::count(vertices.begin(), vertices.end(), PointD{0, 1}) == 0);
   CHECK(std::count(vertices.begin(), vertices.end(), PointD{0, 0.99995}) == 1);
@@ -179,8 +178,8 @@ TEST_CASE("Q3: a corner drifts off the grid by the rounded parameter and the mea
 }
 
 TEST_CASE("Q8: of 5000 random segments the face walk reports a part only") {
-  const std::vector<SegmentD> lines = published::random_lines(5000, 0.1, 1);
-  const published::Trace trace = published::run(lines);
+  const std::vector<SegmentD> lines = inters::random_lines(5000, 0.1, 1);
+  const inters::Trace trace = inters::run(lines);
   const auto decimal = [](double value) { return parse_decimal(kVcode.text(value)); };
   SegmentSet set;  // the decimals: their doubles miss some T junctions
   const SourceId source = set.add_source({});
@@ -200,7 +199,7 @@ TEST_CASE("Q9: after merging, faces depend on the order of sets; 162 of 188 in P
   for (const auto& recorded_case : cases.GetArray()) {
     if (recorded_case["case"].GetString() != std::string("svgpy-inters-building")) continue;
     const auto lines = recorded_lines(recorded_case["lines"]);
-    CHECK(published::run(lines).lar_from_lines->faces.size() == 162);
+    CHECK(inters::run(lines).lar_from_lines->faces.size() == 162);
     SegmentSet set;
     for (const SegmentD& s : lines) set.add(s.a, s.b, set.add_source({}));
     CHECK(lar::arrange(set, {1e-9}).complex.face_count() == 1 + 188);
@@ -229,22 +228,22 @@ TEST_CASE("F: faces and components") {
 
 TEST_CASE("F4: a face walk that stops at its first vertex never ends at a cut vertex") {
   const auto v = [](std::size_t i) { return VertexId(i); };
-  const published::Model dangling{{{0, 0}, {1, 0}, {0, 1}, {2, 0}},
-                                  {{v(0), v(1)}, {v(1), v(2)}, {v(0), v(2)}, {v(1), v(3)}},
-                                  {}};
-  CHECK_THROWS_AS(published::faces_from_components(dangling), published::StageFailure);
-  CHECK_THROWS_WITH(published::faces_from_components(dangling),
+  const inters::Model dangling{{{0, 0}, {1, 0}, {0, 1}, {2, 0}},
+                               {{v(0), v(1)}, {v(1), v(2)}, {v(0), v(2)}, {v(1), v(3)}},
+                               {}};
+  CHECK_THROWS_AS(inters::faces_from_components(dangling), inters::StageFailure);
+  CHECK_THROWS_WITH(inters::faces_from_components(dangling),
                     Catch::Contains("the published facesFromComps runs for ever"));
   CHECK(repaired_summary("0 0 1 0  1 0 0 1  0 1 0 0  1 0 2 0") == "V 4 E 4 F 2 C 1 antennas 1");
 
   const std::string triangles = recorded_text("divergence-two-triangles-vertex-nonterm");
-  const published::Trace trace = run_published(triangles);
+  const inters::Trace trace = run_published(triangles);
   CHECK(!trace.all_components);
   CHECK(repaired_summary(triangles) == "V 5 E 6 F 3 C 1");
 }
 
 TEST_CASE("F5: the exterior is taken for the faces of largest area") {
-  const published::Trace square = run_published(rectangle(0, 0, 1, 1));
+  const inters::Trace square = run_published(rectangle(0, 0, 1, 1));
   REQUIRE(square.all_components);
   CHECK(square.all_components->interior.empty());
   CHECK(repaired_summary(rectangle(0, 0, 1, 1)) == "V 4 E 4 F 2 C 1");
@@ -258,7 +257,7 @@ TEST_CASE("F6: areas are absolute and have seven digits; repaired ones are signe
   const std::vector<PointD> vertices{{0, 0}, {1.1, 0}, {1.1, 1.1}, {0, 1.1}};
   Lists<VertexId> faces;
   faces.push_back(std::vector<VertexId>{VertexId(3), VertexId(2), VertexId(1), VertexId(0)});
-  const std::vector<double> areas = published::surface_integration({vertices, {}, faces});
+  const std::vector<double> areas = inters::surface_integration({vertices, {}, faces});
   CHECK(areas[0] == Approx(1.21).epsilon(1e-6));
   CHECK(areas[0] != Approx(1.21).epsilon(1e-9));
   lar::Graph graph;
@@ -280,7 +279,7 @@ TEST_CASE("F7: long paths need no recursion, in either variant") {
     lines.push_back({{x, i % 2 * 1.0}, {next, (i + 1) % 2 * 1.0}});
     set.add(lines.back().a, lines.back().b, set.add_source({}));
   }
-  const published::Trace trace = published::run(lines);
+  const inters::Trace trace = inters::run(lines);
   CHECK(trace.components.empty());
   CHECK(trace.bridges.size() == n);
   CHECK(lar::arrange(set, {1e-6}).trace.bridges.size() == n);
@@ -288,40 +287,40 @@ TEST_CASE("F7: long paths need no recursion, in either variant") {
 
 TEST_CASE("P1, P2: half crossings never count") {
   const std::vector<PointD> diamond{{2, 0}, {0, 2}, {-2, 0}, {0, -2}};
-  published::Polyline closed = diamond;
+  inters::Polyline closed = diamond;
   closed.push_back(diamond.front());
-  CHECK(published::classify(std::vector<published::Polyline>{closed}, {0, 0}) ==
-        published::Classification::Out);
+  CHECK(inters::classify(std::vector<inters::Polyline>{closed}, {0, 0}) ==
+        inters::Classification::Out);
   CHECK(lar::classify_points(diamond, {{{0, 0}}})[0] == lar::Position::In);
   // P2: an edge whose second end is straight to the right is no boundary for a query on its first.
-  CHECK(published::classify(std::vector<published::Polyline>{{{0, 0}, {1, 0}}}, {0, 0}) ==
-        published::Classification::Out);
+  CHECK(inters::classify(std::vector<inters::Polyline>{{{0, 0}, {1, 0}}}, {0, 0}) ==
+        inters::Classification::Out);
   CHECK(lar::classify_points({{{0, 0}, {1, 0}, {1, 1}}}, {{{0, 0}}})[0] == lar::Position::On);
 }
 
 TEST_CASE("P3: the polygon is quantised and the query is not") {
   const std::vector<PointD> triangle{
       {0.123456, 0.123456}, {0.923456, 0.223456}, {0.523456, 0.923456}};
-  const std::vector<published::VertexPair> edges{
+  const std::vector<inters::VertexPair> edges{
       {VertexId(0), VertexId(1)}, {VertexId(1), VertexId(2)}, {VertexId(0), VertexId(2)}};
-  const auto polylines = published::boundary_polylines(triangle, edges, kVcode);
-  CHECK(published::classify(polylines, triangle[0]) == published::Classification::Out);
+  const auto polylines = inters::boundary_polylines(triangle, edges, kVcode);
+  CHECK(inters::classify(polylines, triangle[0]) == inters::Classification::Out);
   CHECK(lar::classify_points(triangle, {{triangle[0]}})[0] == lar::Position::On);
 }
 
 TEST_CASE("P4, P5: one vertex stands for a whole cycle") {
   const std::string level = recorded_text("divergence-lattice-level-vertices");
-  CHECK(*run_published(level).cells == published::CycleCells{{0}, {1}});
+  CHECK(*run_published(level).cells == inters::CycleCells{{0}, {1}});
   CHECK(repaired_summary(level) == "V 10 E 10 F 3 C 2 holes 1 depth 2");
 
   const std::string touching = recorded_text("degenerate-squares-touch-vertex-inside");
-  CHECK(*run_published(touching).lattice == published::LatticeArray{{-1, 1}, {-1, -1}});
-  CHECK(*run_published(touching).cells == published::CycleCells{{0}, {1}});
+  CHECK(*run_published(touching).lattice == inters::LatticeArray{{-1, 1}, {-1, -1}});
+  CHECK(*run_published(touching).cells == inters::CycleCells{{0}, {1}});
   CHECK(repaired_summary(touching) == "V 6 E 7 F 3 C 1");
 }
 
 TEST_CASE("P6: components that are no simple cycles have no boundary") {
-  const published::Trace trace = run_published(rectangle(0, 0, 1, 1) + "0 0 1 1  1 0 0 1");
+  const inters::Trace trace = run_published(rectangle(0, 0, 1, 1) + "0 0 1 1  1 0 0 1");
   REQUIRE(trace.boundary_cycles.size() == 1);
   CHECK(trace.boundary_cycles[0].failure->error == "ValueError");
   CHECK(!trace.lattice);
@@ -336,8 +335,8 @@ TEST_CASE("P7: nested rings are solid and void by turns") {
 }
 
 TEST_CASE("P8: edge 0 of a boundary cycle has no sign") {
-  const published::Trace trace = run_published(rectangle(0, 0, 1, 1));
-  const std::vector<published::SignedCycle>& cycles = *trace.boundary_cycles.at(0).value;
+  const inters::Trace trace = run_published(rectangle(0, 0, 1, 1));
+  const std::vector<inters::SignedCycle>& cycles = *trace.boundary_cycles.at(0).value;
   REQUIRE(cycles.size() == 1);
   CHECK(cycles[0][0] == 0);
   const lar::Result repaired = lar::arrange(segments(rectangle(0, 0, 1, 1)));
@@ -349,10 +348,10 @@ TEST_CASE("P8: edge 0 of a boundary cycle has no sign") {
 TEST_CASE("P9: cycles that share a vertex have no boundary, or are two faces") {
   const std::vector<PointD> vertices{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 1}, {2, 2}, {1, 2}};
   const auto edge = [](std::size_t i, std::size_t j) {
-    return published::VertexPair{VertexId(i), VertexId(j)};
+    return inters::VertexPair{VertexId(i), VertexId(j)};
   };
-  const std::vector<published::VertexPair> edges{edge(0, 1), edge(1, 2), edge(2, 3), edge(0, 3),
-                                                 edge(2, 4), edge(4, 5), edge(5, 6), edge(2, 6)};
-  CHECK_THROWS_AS(published::boundary_polylines(vertices, edges, kVcode), published::StageFailure);
+  const std::vector<inters::VertexPair> edges{edge(0, 1), edge(1, 2), edge(2, 3), edge(0, 3),
+                                              edge(2, 4), edge(4, 5), edge(5, 6), edge(2, 6)};
+  CHECK_THROWS_AS(inters::boundary_polylines(vertices, edges, kVcode), inters::StageFailure);
   CHECK(repaired_summary(rectangle(0, 0, 1, 1) + rectangle(1, 1, 2, 2)) == "V 7 E 8 F 3 C 1");
 }

@@ -8,13 +8,13 @@
 #include <map>
 #include <set>
 
-#include "plumbline/engines/lar_show.hpp"
 #include "plumbline/engines/inters_stages.hpp"
+#include "plumbline/engines/lar_show.hpp"
 #include "plumbline/write.hpp"
 #include "support/recorded.hpp"
 
 using namespace plumbline;
-using namespace plumbline::lar::published;
+using namespace plumbline::inters;
 
 namespace {
 

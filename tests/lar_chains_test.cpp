@@ -131,7 +131,7 @@ TEST_CASE("faces with antennas and cut vertices have one polyline too") {
 }
 
 TEST_CASE("published bridges are the nearest vertices of two cycles, without the last") {
-  using namespace lar::published;
+  using namespace inters;
   // Met at x = 1 from the outer cycle, and again on the way back.
   const Trace one = run(lines(segments(rectangle(0, 0, 10, 10) + rectangle(1, 2, 4, 4))));
   REQUIRE(one.bridge_edges);

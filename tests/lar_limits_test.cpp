@@ -36,9 +36,9 @@ std::vector<SegmentD> rooms(int width, int height) {
   return lines;
 }
 
-std::vector<std::string> limits(const published::Trace& trace) {
+std::vector<std::string> limits(const inters::Trace& trace) {
   std::vector<std::string> stages;
-  for (const published::Failure& failure : trace.failures) {
+  for (const inters::Failure& failure : trace.failures) {
     if (failure.error == "Limit") stages.push_back(failure.stage);
   }
   return stages;
@@ -54,12 +54,12 @@ FloatComplex repaired(const std::vector<SegmentD>& lines) {
 }  // namespace
 
 TEST_CASE("cycles are compared each with each up to 1000 components, beyond that is a failure") {
-  const published::Trace within = published::run(triangles(1000));
+  const inters::Trace within = inters::run(triangles(1000));
   CHECK(limits(within).empty());
   REQUIRE(within.lattice);
   CHECK(within.lattice->size() == 1000);
 
-  const published::Trace beyond = published::run(triangles(1001));
+  const inters::Trace beyond = inters::run(triangles(1001));
   CHECK(limits(beyond) == std::vector<std::string>{"latticeArray"});
   CHECK(beyond.components.size() == 1001);
   CHECK(beyond.boundary_cycles.size() == 1001);  // the stages before and beside have their outputs
@@ -70,12 +70,12 @@ TEST_CASE("cycles are compared each with each up to 1000 components, beyond that
 }
 
 TEST_CASE("faces are compared each with each up to 1000, beyond that is a failure") {
-  const published::Trace within = published::run(rooms(40, 25));
+  const inters::Trace within = inters::run(rooms(40, 25));
   CHECK(limits(within).empty());
   REQUIRE(within.faces_lattice);
   CHECK(within.faces_lattice->size() == 1000);
 
-  const published::Trace beyond = published::run(rooms(41, 25));
+  const inters::Trace beyond = inters::run(rooms(41, 25));
   CHECK(limits(beyond) == std::vector<std::string>{"facesLattice"});
   CHECK_FALSE(beyond.faces_lattice);
   REQUIRE(beyond.lar_from_lines);
@@ -89,22 +89,21 @@ TEST_CASE("published buckets of long walls grow with the product of their number
     boxes.push_back({wall.a.x, wall.a.y, wall.b.x, wall.b.y});
   }
   // Each wall meets the 61 across it, so it must share a bucket with them.
-  const Lists<SegmentId> buckets = published::box_buckets(boxes);
+  const Lists<SegmentId> buckets = inters::box_buckets(boxes);
   const std::size_t partners = buckets.flat().size();
   CHECK(partners >= 2 * 61 * 61);
-  CHECK_THROWS_WITH(published::box_buckets(boxes, partners - 1), Catch::Contains("without bound"));
-  CHECK_THROWS_WITH(published::box_buckets(boxes, 2 * boxes.size()),
-                    Catch::Contains("without bound"));
-  CHECK(published::box_buckets(boxes, 20 * partners) == buckets);
+  CHECK_THROWS_WITH(inters::box_buckets(boxes, partners - 1), Catch::Contains("without bound"));
+  CHECK_THROWS_WITH(inters::box_buckets(boxes, 2 * boxes.size()), Catch::Contains("without bound"));
+  CHECK(inters::box_buckets(boxes, 20 * partners) == buckets);
 }
 
 TEST_CASE("pairs of near vertices are listed up to a limit; the repaired merging lists none") {
   std::vector<PointD> crowd;
   for (int i = 0; i < 100; ++i) crowd.push_back({i * 1e-6, 0});
-  CHECK(published::prune_vertices(crowd, 0.001, 4950).close.size() == 4950);
-  CHECK_THROWS_WITH(published::prune_vertices(crowd, 0.001, 4949),
+  CHECK(inters::prune_vertices(crowd, 0.001, 4950).close.size() == 4950);
+  CHECK_THROWS_WITH(inters::prune_vertices(crowd, 0.001, 4949),
                     Catch::Contains("within the radius"));
-  CHECK(published::prune_vertices(crowd, 0.001).vertices.size() == 1);
+  CHECK(inters::prune_vertices(crowd, 0.001).vertices.size() == 1);
 }
 
 TEST_CASE("each two lines of a jittered pencil cut each other, up to a limit") {

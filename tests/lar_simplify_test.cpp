@@ -8,7 +8,7 @@
 #include "plumbline/engines/inters_vcode.hpp"
 
 using namespace plumbline;
-namespace published = plumbline::lar::published;
+
 using lar::Model;
 
 namespace {
@@ -82,7 +82,7 @@ TEST_CASE("simplification drops vertices that no cell uses, also in models witho
 }
 
 TEST_CASE("Q10: the published simplification of (V, FV, EV) keeps edges that became a point") {
-  const Model m = published::simplify(kSquare, 0.001);
+  const Model m = inters::simplify(kSquare, 0.001);
   REQUIRE(m.vertices.size() == 4);  // by least members: (0,0), (1,0), (0,1), (1,1)
   CHECK(m.vertices[1].x == Approx(1.0002));
   CHECK(edges(m) == Cells{{0, 1}, {1, 2}, {0, 2}, {1, 3}, {2, 3}, {1}, {2}});
@@ -90,14 +90,14 @@ TEST_CASE("Q10: the published simplification of (V, FV, EV) keeps edges that bec
 }
 
 TEST_CASE("the published simplification of (V, EV) drops them, and keeps unused vertices") {
-  const Model m = published::simplify(
+  const Model m = inters::simplify(
       model({{0, 0}, {5, 5}, {1, 0}, {1.0002, 0}}, {{0, 2}, {3, 0}, {2, 3}}, {}), 0.001);
   CHECK(m.vertices.size() == 3);
   CHECK(edges(m) == Cells{{0, 2}});
 }
 
 TEST_CASE("the published simplification lists faces by their number of vertices") {
-  const Model m = published::simplify(
+  const Model m = inters::simplify(
       model({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {4, 0}}, {{0, 1}}, {{0, 1, 2, 3}, {1, 4, 2}}));
   REQUIRE(m.faces.size() == 2);
   CHECK(m.faces[0].size() == 3);
@@ -105,24 +105,24 @@ TEST_CASE("the published simplification lists faces by their number of vertices"
 }
 
 TEST_CASE("fixed decimals are from 0 to 12, and half is rounded away from zero") {
-  CHECK_THROWS_WITH(published::Vcode(-1), Catch::Contains("from 0 to 12"));
-  CHECK_THROWS_WITH(published::Vcode(13), Catch::Contains("from 0 to 12"));
-  CHECK(published::Vcode(0).text(-2.5) == "-3.0");
-  CHECK(published::Vcode(12).text(0.5) == "0.5");
+  CHECK_THROWS_WITH(inters::Vcode(-1), Catch::Contains("from 0 to 12"));
+  CHECK_THROWS_WITH(inters::Vcode(13), Catch::Contains("from 0 to 12"));
+  CHECK(inters::Vcode(0).text(-2.5) == "-3.0");
+  CHECK(inters::Vcode(12).text(0.5) == "0.5");
 }
 
 TEST_CASE("a bad radius or cell is refused by both simplifications") {
   const Model hole = model({{0, 0}, {1, 0}}, {{0, 2}}, {});
   CHECK_THROWS_WITH(lar::simplify(hole, 0.1), Catch::Contains("vertex that the model has not"));
-  CHECK_THROWS_WITH(published::simplify(hole), Catch::Contains("vertex that the model has not"));
+  CHECK_THROWS_WITH(inters::simplify(hole), Catch::Contains("vertex that the model has not"));
   const Model empty_face = model({{0, 0}, {1, 0}}, {{0, 1}}, {{}});
   CHECK_THROWS_WITH(lar::simplify(empty_face, 0.1), Catch::Contains("no vertex"));
-  CHECK_THROWS_WITH(published::simplify(empty_face), Catch::Contains("no vertex"));
-  CHECK_THROWS_WITH(published::simplify(Model{}), Catch::Contains("needs an edge"));
+  CHECK_THROWS_WITH(inters::simplify(empty_face), Catch::Contains("no vertex"));
+  CHECK_THROWS_WITH(inters::simplify(Model{}), Catch::Contains("needs an edge"));
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double radius : {-1.0, infinity}) {
     CHECK_THROWS_AS(lar::simplify(kSquare, radius), Error);
-    CHECK_THROWS_AS(published::simplify(kSquare, radius), Error);
+    CHECK_THROWS_AS(inters::simplify(kSquare, radius), Error);
   }
-  CHECK_THROWS_AS(published::simplify(kSquare, 0), Error);
+  CHECK_THROWS_AS(inters::simplify(kSquare, 0), Error);
 }

@@ -4,8 +4,8 @@
 
 #include "engines/lar/stages/parallel.hpp"
 #include "plumbline/engines/inters.hpp"
-#include "plumbline/engines/lar_show.hpp"
 #include "plumbline/engines/lar.hpp"
+#include "plumbline/engines/lar_show.hpp"
 #include "plumbline/write.hpp"
 #include "workloads.hpp"
 
@@ -34,9 +34,9 @@ TEST_CASE("the repaired pipeline's stages do not depend on the number of threads
 TEST_CASE("the published pipeline's stages do not depend on the number of threads") {
   const auto* const name = GENERATE(from_range(std::begin(kWorkloads), std::end(kWorkloads)));
   INFO(name);
-  const std::vector<SegmentD> lines = lar::published::lines(workloads::make(name));
+  const std::vector<SegmentD> lines = inters::lines(workloads::make(name));
   const auto run = [&](std::size_t threads) {
-    return to_json(lar::published::run(lines, {4, 0.001, threads}));
+    return to_json(inters::run(lines, {4, 0.001, threads}));
   };
   const std::string alone = run(1);
   for (const std::size_t threads : {2U, 3U, 8U}) CHECK(run(threads) == alone);

@@ -13,7 +13,6 @@
 #include "support/segments.hpp"
 
 using namespace plumbline;
-namespace published = plumbline::lar::published;
 
 namespace {
 
@@ -40,7 +39,7 @@ std::string drawn(LarShow show, double explode = 1.2) {
 }
 
 std::string published_picture(LarShow show) {
-  return to_svg(published::run(published::lines(segments(kRooms))), {show, 1.2, false});
+  return to_svg(inters::run(inters::lines(segments(kRooms))), {show, 1.2, false});
 }
 
 }  // namespace
@@ -73,7 +72,7 @@ TEST_CASE("the trace of the repaired variant has every stage under the original'
 
 TEST_CASE("the trace of the published variant names what is missing and why") {
   const rapidjson::Document trace = parsed(
-      to_json(published::run(published::lines(segments("0 0.7 1 0.7  2 0.7 3 0.7  4 0.7 5 0.7")))));
+      to_json(inters::run(inters::lines(segments("0 0.7 1 0.7  2 0.7 3 0.7  4 0.7 5 0.7")))));
   CHECK(text(trace["variant"]) == "published");
   CHECK(trace["decimals"].GetInt() == 4);
   CHECK(trace["input"]["lines"].Size() == 3);
@@ -98,7 +97,7 @@ TEST_CASE("the picture of pruning has the clusters, their radii and centroids") 
   const SegmentSet slot = segments("0 0 0 1  0.0005 0 0.0005 1  -1 0 1 0  -1 1 1 1");
   const std::string repaired = to_svg(lar::arrange(slot, {0.001}), {LarShow::Pruning, 1, false});
   const std::string original =
-      to_svg(published::run(published::lines(slot)), {LarShow::Pruning, 1, false});
+      to_svg(inters::run(inters::lines(slot)), {LarShow::Pruning, 1, false});
   // Vertices, members, centroids. As published, the feet at 0.0005 are beside their rounded
   // parameters on the beams, at 0.0006.
   CHECK(count(repaired, "//circle") == 8 + 4 + 2);
@@ -110,7 +109,7 @@ TEST_CASE("pictures of nothing are pictures") {
        {LarShow::Buckets, LarShow::Components, LarShow::Faces, LarShow::Explode, LarShow::Numbers,
         LarShow::Pruning, LarShow::Filled, LarShow::Polylines, LarShow::Boundary}) {
     CHECK(count(to_svg(lar::arrange(segments("")), {show, 2, true}), "/svg") == 1);
-    CHECK(count(to_svg(published::run({}), {show, 2, true}), "/svg") == 1);
+    CHECK(count(to_svg(inters::run({}), {show, 2, true}), "/svg") == 1);
   }
 }
 
@@ -127,7 +126,7 @@ TEST_CASE("a drawing with y upwards is a drawing turned over") {
 
 namespace {
 
-double area(const std::vector<picture::TriangleD>& triangles) {
+double area(const std::vector<svg::TriangleD>& triangles) {
   double doubled = 0;
   for (const auto& [p, q, r] : triangles) {
     doubled += (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
@@ -142,7 +141,7 @@ std::string boundary_picture(const std::vector<std::size_t>& faces) {
 }  // namespace
 
 TEST_CASE("filled faces have their areas, holes left out, in as many triangles as there must be") {
-  const auto fillings = picture::fillings(lar::arrange(segments(kRooms)));
+  const auto fillings = svg::fillings(lar::arrange(segments(kRooms)));
   std::multiset<double> areas;
   std::multiset<std::size_t> triangles;
   for (const auto& face : fillings) {
@@ -156,33 +155,33 @@ TEST_CASE("filled faces have their areas, holes left out, in as many triangles a
 
 TEST_CASE("published fillings are those of its cells where all cycles are simple") {
   const std::string nested = rectangle(0, 0, 8, 8) + rectangle(1, 2, 3, 5);
-  const published::Trace trace = published::run(published::lines(segments(nested)));
+  const inters::Trace trace = inters::run(inters::lines(segments(nested)));
   REQUIRE(trace.two_complex);
-  const auto fillings = picture::fillings(trace);
+  const auto fillings = svg::fillings(trace);
   REQUIRE(fillings.size() == 1);
   CHECK(area(fillings[0]) == 64 - 6);
   CHECK(fillings[0].size() == 8);
   // Else of the faces of the result, which have no holes.
-  const auto rooms = picture::fillings(published::run(published::lines(segments(kRooms))));
+  const auto rooms = svg::fillings(inters::run(inters::lines(segments(kRooms))));
   REQUIRE(rooms.size() == 2);
   CHECK(area(rooms[0]) == 32);
 }
 
 TEST_CASE("a face whose edges cross is not filled, and is drawn in the second colour") {
-  published::Trace trace;
+  inters::Trace trace;
   trace.lines = {{{0, 0}, {1, 1}}};
   trace.lar_from_lines.emplace();
   trace.lar_from_lines->vertices = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
   const std::vector<VertexId> bow_tie{VertexId(0), VertexId(1), VertexId(2), VertexId(3)};
   trace.lar_from_lines->faces.push_back(bow_tie);
-  CHECK(picture::fillings(trace)[0].empty());
+  CHECK(svg::fillings(trace)[0].empty());
   CHECK(count(to_svg(trace, {LarShow::Filled}), "//path[@stroke='#d55e00']") == 1);
 }
 
 TEST_CASE("single polylines walk their bridge twice, one bridge for a hole") {
-  const auto faces = picture::bridged(lar::arrange(segments(kRooms)));
+  const auto faces = svg::bridged(lar::arrange(segments(kRooms)));
   std::multiset<std::size_t> points, bridges;
-  for (const picture::Bridged& face : faces) {
+  for (const svg::Bridged& face : faces) {
     REQUIRE(face.polylines.size() == 1);
     points.insert(face.polylines[0].size());
     bridges.insert(face.bridges.size());
@@ -207,11 +206,11 @@ TEST_CASE("the boundary of chosen faces is drawn, common edges are not in it") {
 }
 
 TEST_CASE("random segments as rows are read back as the same doubles") {
-  const std::vector<SegmentD> lines = published::random_lines(100, 0.1, 3);
+  const std::vector<SegmentD> lines = inters::random_lines(100, 0.1, 3);
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / "plumbline_lar_write_test.lines";
   write_file(file, to_lines(lines));
-  CHECK(published::lines(evaluate(read(file))) == lines);
+  CHECK(inters::lines(evaluate(read(file))) == lines);
   std::filesystem::remove(file);
   CHECK(to_lines(std::span<const SegmentD>()).empty());
 }

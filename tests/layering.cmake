@@ -31,25 +31,26 @@ room(certificate complex)
 room(compare error geometry complex arrange)
 room(ladder error complex)
 room(diagnose error number complex)
-room(engine complex arrange compare)
+room(engine error number complex arrange compare)
+room(check error arrange compare ladder engine)
 room(file error detail)
 room(engines/lar/stages error geometry complex)
 room(engines/inters/stages error number engines/lar/stages)
-room(engines/files error number read complex)
-room(engines/lar/explain engine engines/lar/stages)
-room(engines/inters/explain complex compare engine engines/lar/stages engines/inters/stages engines/lar/explain)
-room(check error structure arrange compare ladder engine engines/lar/stages engines/inters/stages engines/files
-     engines/lar/explain engines/inters/explain)
+room(engines/files error number read engine)
+room(engines/lar/explain error arrange engine engines/lar/stages)
+room(engines/inters/explain error engine engines/lar/stages engines/inters/stages engines/lar/explain)
 room(output error detail geometry structure complex round diagnose check)
 room(engines/lar/show error triangulate engines/lar/stages engines/inters/stages output)
+room(pipeline error read chains arrange round check engines/lar/stages engines/inters/stages engines/files)
 room(plumbline error number geometry structure read complex triangulate arrange round certificate compare ladder
-     diagnose engines/lar/stages engines/inters/stages engines/files check output engines/lar/show)
-room(cli error detail read arrange round certificate engines/inters/stages check output engines/lar/show plumbline)
+     diagnose engine check engines/lar/stages engines/inters/stages engines/files output engines/lar/show
+     pipeline)
+room(cli error detail read arrange round certificate engines/inters/stages engines/files output
+     engines/lar/show pipeline plumbline)
 room(verify)
 
 # The room of a header in include/plumbline/, if it is not that of its name.
 set(room_of_cgal arrange)
-set(room_of_polygons complex)
 set(room_of_write output)
 set(room_of_report output)
 

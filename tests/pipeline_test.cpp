@@ -37,7 +37,7 @@ TEST_CASE("the exact complex of a real drawing keeps all invariants and covers t
   CHECK(to_text(validate(complex)) == "");
   CHECK(to_text(validate_coverage(complex, input)) == "");
   CHECK(input.ledger.empty());
-  CHECK(arrange(input, Engine::Cgal) == complex);
+  CHECK(arrange(input, ExactEngine::Cgal) == complex);
 }
 
 TEST_CASE("V, E and F of real drawings are those of an independent rational arrangement") {

@@ -1,6 +1,6 @@
 // Complexes made of faces that others list.
 
-#include "plumbline/polygons.hpp"
+#include "plumbline/engine/cell_lists.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -203,7 +203,7 @@ TEST_CASE("polygons: the lists of an arrangement give its complex back") {
   }
 }
 
-TEST_CASE("polygons: lists of anything at all can be validated and cross-checked") {
+TEST_CASE("polygons: lists of anything at all can be validated and comparisoned") {
   std::mt19937 random(7);
   const auto below = [&](std::size_t n) { return random() % n; };
   for (int i = 0; i < 2000; ++i) {
@@ -225,7 +225,7 @@ TEST_CASE("polygons: lists of anything at all can be validated and cross-checked
     cells.lists_all_edges = below(2) == 0;
     const FloatComplex garbage = complex_from_faces(cells);
     const ExactComplex drawing = arrange(random_grid_drawing(random, 3));
-    const Crosscheck result = crosscheck(drawing, garbage, 0.5);
+    const Comparison result = compare(drawing, garbage, 0.5);
     CHECK(result.float_valid == validate(exact(garbage)).empty());
   }
 }

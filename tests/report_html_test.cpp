@@ -60,8 +60,8 @@ TEST_CASE("base64 is as in RFC 4648, section 10") {
 TEST_CASE("the page holds the JSON report's findings and counts, and names its arrays") {
   const Check check = Example().checked();
   rapidjson::Document page, report;
-  page.Parse(page_json(report_html(check)).c_str());
-  report.Parse(report_json(check).c_str());
+  page.Parse(page_json(to_html(check)).c_str());
+  report.Parse(to_json(check).c_str());
   REQUIRE(!page.HasParseError());
   CHECK(page["findings"] == report["findings"]);
   CHECK(page["counts"] == report["counts"]);
@@ -82,7 +82,7 @@ TEST_CASE("the page holds the JSON report's findings and counts, and names its a
 TEST_CASE("a complex with the incidences of the one as authored is not stored twice") {
   rapidjson::Document page;
   page.Parse(
-      page_json(report_html(Agreement{segments("0 0 1 0  1 0 0 1  0 1 0 0")}.checked())).c_str());
+      page_json(to_html(Agreement{segments("0 0 1 0  1 0 0 1  0 1 0 0")}.checked())).c_str());
   const auto& same = page["page"]["same_incidences"];
   CHECK(std::string(same[same.Size() - 1].GetString()) == "float");
   for (const auto& array : page["page"]["arrays"].GetArray())
@@ -99,10 +99,11 @@ TEST_CASE("names from outside are no markup and no script in the page") {
   example.input.rejected = {{{0, 7, 2, evil, evil, evil}, evil, evil}};
   example.input.ledger = {{{0, 7, 2, evil, evil, evil}, evil, evil}};
   Check check = example.checked();
-  check.result = evil;
-  check.crosscheck.findings[0].message = evil;
-  check.crosscheck.findings[0].cause = Cause{Stage::Prune, 1, evil, evil, evil, true, {}};
-  const std::string page = report_html(check), plain = report_html(Example().checked());
+  check.answer.title = evil;
+  check.comparison.findings[0].message = evil;
+  check.causes.resize(check.comparison.findings.size());
+  check.causes[0] = {"prune", 1, evil, evil, evil, true, {}};
+  const std::string page = to_html(check), plain = to_html(Example().checked());
   const auto occurrences = [](const std::string& text, const std::string& word) {
     std::size_t count = 0;
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
@@ -123,7 +124,7 @@ TEST_CASE("names from outside are no markup and no script in the page") {
 }
 
 TEST_CASE("the page loads nothing: its policy forbids it, and nothing asks for it") {
-  const std::string page = report_html(Example().checked());
+  const std::string page = to_html(Example().checked());
   CHECK(page.find("default-src 'none'") != std::string::npos);
   for (const char* word : {" src=", "href=", "@import", "url(", "fetch(", "XMLHttpRequest",
                            "WebSocket", "import(", "sendBeacon"}) {
@@ -142,7 +143,7 @@ TEST_CASE("the page loads nothing: its policy forbids it, and nothing asks for i
 TEST_CASE("drawings of nothing and of one point have a page") {
   for (const char* text : {"", "+ 1 1", "0 0 5 0"}) {
     rapidjson::Document json;
-    json.Parse(page_json(report_html(Agreement{segments(text)}.checked())).c_str());
+    json.Parse(page_json(to_html(Agreement{segments(text)}.checked())).c_str());
     CHECK(!json.HasParseError());
   }
 }

@@ -46,7 +46,7 @@ std::vector<FindingPlace> square_of_places(std::size_t side, double distance) {
 }  // namespace
 
 TEST_CASE("the text begins with the verdict and tells counts, exactness and each finding") {
-  CHECK(report_text(Example().checked()) ==
+  CHECK(to_text(Example().checked()) ==
         R"(disagree: 3 findings
 
                     as authored  over doubles   float LAR
@@ -77,14 +77,14 @@ exactness: every coordinate is exactly what the file says
 }
 
 TEST_CASE("the text shows as many findings as asked for and says how many more there are") {
-  const std::string text = report_text(Example().checked(), 1);
+  const std::string text = to_text(Example().checked(), 1);
   CHECK(text.find("   1. ") != std::string::npos);
   CHECK(text.find("   2. ") == std::string::npos);
   CHECK(text.find("\n... and 2 more (see -o report.json)\n") != std::string::npos);
 }
 
 TEST_CASE("an agreement is said in the first line, and there is no list") {
-  const std::string text = report_text(Agreement{segments("0 0 1 0  1 0 0 1")}.checked());
+  const std::string text = to_text(Agreement{segments("0 0 1 0  1 0 0 1")}.checked());
   CHECK(text.substr(0, 6) == "agree\n");
   CHECK(text.substr(text.size() - 10) == "file says\n");
 }
@@ -94,7 +94,7 @@ TEST_CASE("rejected items and replaced numbers are counted in the text") {
   input.rejected = {{{0, 7, 2, "circle", "c", ""}, "curves are not understood", "<circle"}};
   input.ledger = {
       {{}, "rotate(30)", "1e-15 rad"}, {{}, "rotate(31)", "1e-15 rad"}, {{}, "skewX(3)", "1e-9"}};
-  const std::string text = report_text(Agreement{input}.checked());
+  const std::string text = to_text(Agreement{input}.checked());
   CHECK(text.find("; 1 rejected\n  rejected text:7:2 circle #c: curves are not understood\n") !=
         std::string::npos);
   CHECK(text.find("exactness: 3 numbers were replaced, by at most 1e-15 rad (2), 1e-9 (1)\n") !=
@@ -103,7 +103,7 @@ TEST_CASE("rejected items and replaced numbers are counted in the text") {
 
 TEST_CASE("JSON holds every finding with places, cells, distance and sources") {
   rapidjson::Document json;
-  json.Parse(report_json(Example().checked()).c_str());
+  json.Parse(to_json(Example().checked()).c_str());
   REQUIRE(!json.HasParseError());
   CHECK(std::string(json["format"].GetString()) == "plumbline check 1");
   CHECK(std::string(json["verdict"].GetString()) == "disagree");
@@ -132,11 +132,11 @@ TEST_CASE("names from outside break no format") {
   Example example;
   example.input.files[0] = kEvilName;
   rapidjson::Document json;
-  json.Parse<rapidjson::kParseValidateEncodingFlag>(report_json(example.checked()).c_str());
+  json.Parse<rapidjson::kParseValidateEncodingFlag>(to_json(example.checked()).c_str());
   REQUIRE(!json.HasParseError());
   CHECK(std::string(json["files"][0].GetString()) == "<a&\"b\"\n\uFFFD>.svg");
-  CHECK(report_text(example.checked()).find("<a&\"b\"\uFFFD\uFFFD>.svg:1:1") != std::string::npos);
-  CHECK(texts(parsed_svg(report_svg(example.checked())))
+  CHECK(to_text(example.checked()).find("<a&\"b\"\uFFFD\uFFFD>.svg:1:1") != std::string::npos);
+  CHECK(texts(parsed_svg(to_svg(example.checked())))
             .count("<a&\"b\"\n\uFFFD>.svg: disagree: 3 findings") == 1);
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("text that is no UTF-8 is replaced byte by byte, valid text is kept") 
 }
 
 TEST_CASE("the picture has two titled panels, and a number at each place in both") {
-  const pugi::xml_document svg = parsed_svg(report_svg(Example().checked()));
+  const pugi::xml_document svg = parsed_svg(to_svg(Example().checked()));
   CHECK(std::string(svg.child("svg").attribute("width").value()) == "1600");
   const std::multiset<std::string> all = texts(svg);
   CHECK(all.count("exact") == 1);
@@ -162,7 +162,7 @@ TEST_CASE("the picture has two titled panels, and a number at each place in both
 
 TEST_CASE("holes are cut out of faces, depths have different colours, antennas are dashed") {
   const Agreement plan{segments(rectangle(0, 0, 9, 9) + rectangle(2, 2, 4, 4) + "6 6 7 7")};
-  const pugi::xml_document svg = parsed_svg(report_svg(plan.checked()));
+  const pugi::xml_document svg = parsed_svg(to_svg(plan.checked()));
   std::set<std::string> outer_paths, fills;
   for (const auto& node : svg.select_nodes("//g[@fill-rule='evenodd']/path")) {
     const std::string d = node.node().attribute("d").value();
@@ -177,7 +177,7 @@ TEST_CASE("holes are cut out of faces, depths have different colours, antennas a
 TEST_CASE("drawings of nothing, of one point and of one line can be pictured") {
   for (const char* text : {"", "+ 1 1", "0 0 5 0", "0 0 0 5"}) {
     const Agreement drawing{segments(text)};
-    const std::string svg = report_svg(drawing.checked());
+    const std::string svg = to_svg(drawing.checked());
     parsed_svg(svg);
     CHECK(svg.find("nan") == std::string::npos);
     CHECK(svg.find("inf") == std::string::npos);
@@ -186,13 +186,13 @@ TEST_CASE("drawings of nothing, of one point and of one line can be pictured") {
 
 TEST_CASE("a picture does not depend on the scale of the drawing but for its numbers") {
   const auto marks = [](const std::string& drawing) {
-    return report_svg(Agreement{segments(drawing)}.checked());
+    return to_svg(Agreement{segments(drawing)}.checked());
   };
   CHECK(marks("0 0 1 0  1 0 1 1  1 1 0 0") == marks("0 0 1024 0  1024 0 1024 1024  1024 1024 0 0"));
 }
 
 TEST_CASE("sixty findings are all numbered; of more, those whose labels overlap no other") {
-  const picture::Box panel{{0, 0}, {800, 800}};
+  const svg::Box panel{{0, 0}, {800, 800}};
   const auto numbered = [&](const std::vector<FindingPlace>& places) {
     const std::string svg = labelled_rings(places, panel);
     const pugi::xml_document document = parsed_svg("<svg>" + svg + "</svg>");
@@ -210,11 +210,11 @@ TEST_CASE("sixty findings are all numbered; of more, those whose labels overlap 
 
 TEST_CASE("the layer of findings has a feature per finding, with its place and the exact one") {
   Check check = Example().checked();
-  check.crosscheck.findings[0].cause =
-      Cause{Stage::Prune, 1, "chain collapse", "", "a radius below 0.01", true, {}};
-  check.crosscheck.findings[2].kind = CellKind::Complex;
+  check.causes.resize(check.comparison.findings.size());
+  check.causes[0] = {"prune", 1, "chain collapse", "", "a radius below 0.01", true, {}};
+  check.comparison.findings[2].kind = CellKind::Complex;
   rapidjson::Document json;
-  json.Parse(report_geojson(check).c_str());
+  json.Parse(to_geojson(check).c_str());
   REQUIRE(!json.HasParseError());
   CHECK(std::string(json["type"].GetString()) == "FeatureCollection");
   REQUIRE(json["features"].Size() == 3);

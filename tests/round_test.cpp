@@ -36,7 +36,7 @@ struct Rounded {
       : exact_complex(arrange(segments(text))),
         rounding(safely_rounded(exact_complex, grid)),
         change(changes(exact_complex, rounding)) {
-    verify_rounding(exact_complex, grid, rounding);
+    ensure_rounded(exact_complex, grid, rounding);
     const Rounding again = safely_rounded(rounding.complex, grid);
     CHECK(again.has_same_incidences());
     CHECK(again.complex == rounding.complex);
@@ -232,9 +232,9 @@ TEST_CASE("a verification refuses a rounding that breaks a guarantee") {
   const auto refused = [&](auto change, const std::string& reason) {
     Rounding wrong = right;
     change(wrong);
-    CHECK_THROWS_WITH(verify_rounding(c, grid, wrong), Catch::Contains(reason));
+    CHECK_THROWS_WITH(ensure_rounded(c, grid, wrong), Catch::Contains(reason));
   };
-  verify_rounding(c, grid, right);
+  ensure_rounded(c, grid, right);
   refused([](Rounding& r) { r.complex.vertices[0].y = Rational(1, 10); }, "not on the grid");
   refused([](Rounding& r) { r.complex.vertices.back().y = 1; }, "moved too far");
   refused([](Rounding& r) { r.complex.vertices[0].x = 6; }, "");

@@ -16,9 +16,9 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const SegmentSet input = evaluate(read(argv[1]));
-  const ExactComplex one = arrange(input, Engine::Bucket, {1, {}});
-  const bool threads_agree = arrange(input, Engine::Bucket, {3, {}}) == one;
-  const bool engines_agree = arrange(input, Engine::Cgal) == one;
+  const ExactComplex one = arrange(input, ExactEngine::Bucket, {1, {}});
+  const bool threads_agree = arrange(input, ExactEngine::Bucket, {3, {}}) == one;
+  const bool engines_agree = arrange(input, ExactEngine::Cgal) == one;
   const auto text = [](bool agree) { return agree ? "equal" : "**DIFFERENT**"; };
   fmt::print("{} | {} | {} | {} | {} | {} | {}\n", input.segments.size(), input.rejected.size(),
              one.vertices.size(), one.edge_count(), one.face_count(), text(engines_agree),

@@ -29,7 +29,7 @@ struct Rule {
 
 struct Totals {
   std::size_t files = 0, agreeing = 0, findings = 0, unattributed = 0;
-  std::map<std::pair<Stage, std::string>, Rule> rules;
+  std::map<std::pair<std::string, std::string>, Rule> rules;
 };
 
 /// The lines of a recorded case; none for a case of another kind.
@@ -51,26 +51,25 @@ std::optional<SegmentSet> recorded_lines(const fs::path& path) {
   return set;
 }
 
-void add(const fs::path& file, SegmentSet input, PublishedResult result, Totals& totals) {
-  CheckOptions options;
-  options.tolerance = kTolerance;
-  options.published = PublishedCheck{};
-  options.published->result = result;
+void add(const fs::path& file, SegmentSet input, const std::string& result, Totals& totals) {
+  Answer answer = answer_of(inters::engine(), input, {{"result", result}});
   ExactComplex complex = arrange(input);
-  const Check checked = check(std::move(input), std::move(complex), options);
+  const Check checked =
+      check(std::move(input), std::move(complex), std::move(answer), {kTolerance, {}, 0});
   ++totals.files;
   totals.agreeing += checked.agree();
-  totals.findings += checked.crosscheck.findings.size();
-  std::map<std::pair<Stage, std::string>, Rule> here;
-  for (const Finding& finding : checked.crosscheck.findings) {
-    if (!finding.cause || finding.cause->rule.empty()) {
+  totals.findings += checked.comparison.findings.size();
+  totals.unattributed += checked.comparison.findings.size() - checked.causes.size();
+  std::map<std::pair<std::string, std::string>, Rule> here;
+  for (const Cause& cause : checked.causes) {
+    if (cause.rule.empty()) {
       ++totals.unattributed;
       continue;
     }
-    Rule& rule = here[{finding.cause->stage, finding.cause->rule}];
+    Rule& rule = here[{cause.stage, cause.rule}];
     ++rule.findings;
-    rule.confirmed += finding.cause->confirmed;
-    rule.healed += finding.cause->remade == false;
+    rule.confirmed += cause.confirmed;
+    rule.healed += cause.remade == false;
   }
   for (const auto& [name, rule] : here) {
     Rule& total = totals.rules[name];
@@ -87,8 +86,8 @@ void print(const char* title, const Totals& totals) {
   fmt::print("| stage | rule | findings | confirmed | healed | inputs | the first |\n");
   fmt::print("| --- | --- | --- | --- | --- | --- | --- |\n");
   for (const auto& [name, rule] : totals.rules)
-    fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", to_text(name.first), name.second,
-               rule.findings, rule.confirmed, rule.healed, rule.files, rule.first_file);
+    fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", name.first, name.second, rule.findings,
+               rule.confirmed, rule.healed, rule.files, rule.first_file);
 }
 
 }  // namespace
@@ -106,9 +105,9 @@ int main(int argc, char** argv) try {
   for (const fs::path& file : files) {
     const std::optional<SegmentSet> lines = recorded_lines(file);
     if (!lines) continue;
-    add(file, *lines, PublishedResult::LarFromLines, of_largest);
-    add(file, *lines, PublishedResult::AllComponents, of_all);
-    add(file, *lines, PublishedResult::CellsFromCycles, of_cells);
+    add(file, *lines, "larFromLines", of_largest);
+    add(file, *lines, "allComponents", of_all);
+    add(file, *lines, "cells", of_cells);
   }
   print("larFromLines", of_largest);
   print("allComponents", of_all);

@@ -21,7 +21,7 @@ constexpr double kRoundingRadius = 1e-9;
 
 std::string verdict(const ExactComplex& exact_complex, const SegmentSet& input, double radius) {
   const lar::Result lar = lar::arrange(input, {radius});
-  const Crosscheck check = crosscheck(exact_complex, lar.complex, radius);
+  const Comparison check = compare(exact_complex, lar.complex, radius);
   const Counts& c = check.float_counts;
   return fmt::format("{} {} {} | {}", c.vertices, c.edges, c.faces,
                      check.agree() ? "agree" : fmt::format("{} findings", check.findings.size()));
@@ -36,7 +36,7 @@ Row row(const fs::path& file, const std::string& name) {
   const SegmentSet input = evaluate(read(file));
   const ExactComplex complex = arrange(input);
   const bool valid = validate(complex).empty() && validate_coverage(complex, input).empty() &&
-                     arrange(input, Engine::Cgal) == complex;
+                     arrange(input, ExactEngine::Cgal) == complex;
   const Counts c = counts(complex, complex.vertices.size());
   const double radius = lar::arrange(input).trace.radius;
   return {

@@ -39,16 +39,15 @@ std::string text(const Counts& c) {
 }
 
 /// "prune 12, intersect 3": by stage in the row, by stage and rule in the totals.
-void tally(const std::vector<Finding>& findings, Tally& stages, Totals& totals) {
-  for (const Finding& finding : findings) {
+void tally(const std::vector<Finding>& findings, const std::vector<Cause>& causes, Tally& stages,
+           Totals& totals) {
+  for (const Finding& finding : findings)
     ++totals.kinds[to_text(finding.kind) + " " + to_text(finding.disagreement)];
-    if (!finding.cause) {
-      ++totals.unattributed;
-      continue;
-    }
-    ++stages[to_text(finding.cause->stage)];
-    ++totals.causes[to_text(finding.cause->stage) + ": " + finding.cause->rule];
+  for (const Cause& cause : causes) {
+    ++stages[cause.stage];
+    ++totals.causes[cause.stage + ": " + cause.rule];
   }
+  totals.unattributed += findings.size() - causes.size();
 }
 
 std::vector<fs::path> files_below(const fs::path& directory) {
@@ -61,7 +60,7 @@ std::vector<fs::path> files_below(const fs::path& directory) {
 
 /// A run of the campaign. The published pipeline has an absolute radius and decimals: it gets the
 /// drawings mapped to the unit square.
-struct Run {
+struct Campaign {
   std::string title;
   std::optional<double> relative_radius;  ///< none: the published pipeline
 
@@ -69,36 +68,39 @@ struct Run {
 };
 
 /// One row, and what it adds to the totals.
-std::string row(const Structure& structure, const std::string& name, const Run& run,
+std::string row(const Structure& structure, const std::string& name, const Campaign& run,
                 Totals& totals) {
   SegmentSet input = evaluate(structure);
   CheckOptions options;
+  Engine engine = lar::engine();
+  Parameters parameters;
   if (run.is_published()) {
     input = lar::to_unit_square(input);
-    options.published.emplace();
+    engine = inters::engine();
   } else {
-    options.radius =
+    parameters["radius"] =
         lar::arrange(input).trace.radius / lar::kDefaultRelativeRadius * *run.relative_radius;
     options.parsed = [&] { return evaluate(rounded(structure)); };
   }
   ExactComplex complex = arrange(input);
   const std::size_t segments = input.segments.size();
   const auto start = std::chrono::steady_clock::now();
-  const Check result = check(std::move(input), std::move(complex), options);
+  Answer answer = answer_of(engine, input, parameters);
+  const Check result = check(std::move(input), std::move(complex), std::move(answer), options);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
 
   Tally stages;
-  tally(result.crosscheck.findings, stages, totals);
+  tally(result.comparison.findings, result.causes, stages, totals);
   Tally conversion;
   Totals of_conversion;
-  tally(result.conversion.findings, conversion, of_conversion);
+  tally(result.conversion.findings, result.conversion_causes, conversion, of_conversion);
   ++totals.files;
   totals.agreeing += result.agree();
   totals.converted += !result.conversion.agree();
-  totals.findings += result.crosscheck.findings.size();
-  totals.invalid += !result.crosscheck.float_valid;
+  totals.findings += result.comparison.findings.size();
+  totals.invalid += !result.comparison.float_valid;
   totals.unattributed += of_conversion.unattributed;
-  const Crosscheck& c = result.crosscheck;
+  const Comparison& c = result.comparison;
   return fmt::format(
       "| {} | {} | {} | {} | {} | {} | {} | {:.2f} |\n", name, segments, text(c.exact_counts),
       result.conversion.agree() ? "same" : text(result.conversion.float_counts),
@@ -113,11 +115,11 @@ int main(int argc, char** argv) try {
     return 2;
   }
   std::size_t unattributed = 0;
-  const std::vector<Run> runs = {
+  const std::vector<Campaign> runs = {
       {"Repaired, the publication's radius of 0.001 x longer side", lar::kDefaultRelativeRadius},
       {"Repaired, radius 1e-9 x longer side: joins what rounding took apart", 1e-9},
       {"Published, on the unit square", {}}};
-  for (const Run& run : runs) {
+  for (const Campaign& run : runs) {
     Totals totals;
     std::string rows;
     std::size_t unreadable = 0, refused = 0;

@@ -1,4 +1,4 @@
-// CPU times of the cross-check beside those of the exact arrangement, in one run, as a Markdown
+// CPU times of the comparison beside those of the exact arrangement, in one run, as a Markdown
 // table. Usage: plumbline_crosscheck_times [WORKLOAD...]; without any, those of the recorded table.
 
 #include <fmt/format.h>
@@ -30,15 +30,17 @@ void print_row(const std::string& name) {
   const SegmentSet input = workloads::make(name);
   ExactComplex complex;
   FloatComplex floats;
-  Crosscheck verdict;
+  Comparison verdict;
   Check whole;
-  const double arranging = seconds([&] { complex = arrange(input, Engine::Bucket, {1, {}}); });
+  const double arranging = seconds([&] { complex = arrange(input, ExactEngine::Bucket, {1, {}}); });
   const double float_lar = seconds([&] { floats = lar::arrange(input, {kRadius, 1}).complex; });
-  const double comparing = seconds([&] { verdict = crosscheck(complex, floats, kRadius); });
+  const double comparing = seconds([&] { verdict = compare(complex, floats, kRadius); });
   CheckOptions options;
-  options.radius = kRadius;
   options.threads = 1;
-  const double checking = seconds([&] { whole = check(input, complex, options); });
+  const double checking = seconds([&] {
+    whole =
+        check(input, complex, answer_of(lar::engine(), input, {{"radius", kRadius}}, 1), options);
+  });
   fmt::print("| {} | {} | {:.2f} s | {:.2f} s | {} | {:.2f} s | {:.1f} | {:.2f} s | {:.1f} |\n",
              name, input.segments.size(), arranging, float_lar, verdict.findings.size(), comparing,
              comparing / arranging, checking, checking / arranging);
@@ -50,7 +52,7 @@ int main(int argc, char** argv) try {
   std::vector<std::string> names(argv + 1, argv + argc);
   if (names.empty()) names = kRecorded;
   fmt::print(
-      "| workload | segments | `arrange` | `lar::arrange` | findings | `crosscheck` | ratio | "
+      "| workload | segments | `arrange` | `lar::arrange` | findings | `comparison` | ratio | "
       "`check` "
       "| ratio |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const std::string& name : names) print_row(name);

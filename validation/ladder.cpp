@@ -105,7 +105,7 @@ std::string row(const std::filesystem::path& file, std::size_t steps) {
           : fmt::format("{:.6g}", nearest_sqrt(ladder.steps.front().squared_radius));
   AdviceOptions options;
   options.ladder.max_steps = steps;
-  const Check advice = advised(check(input, complex), options);
+  const Check advice = advised(check(input, complex, answer_of(lar::engine(), input)), options);
   const RightRadii& right = *advice.right_radii;
   return fmt::format(
       "| {} | {} {} {} | {} | {} | {} | {} | {} | {} | {} |\n",

@@ -46,8 +46,7 @@ std::string cells(const CellComplex<P>& complex) {
 }
 
 std::string published_cells(const SegmentSet& input) {
-  namespace published = lar::published;
-  const published::Trace trace = published::run(published::lines(input));
+  const inters::Trace trace = inters::run(inters::lines(input));
   const std::size_t faces = trace.lar_from_lines ? trace.lar_from_lines->faces.size() : 0;
   return cells(trace.lar.vertices.size(), trace.lar.edges.size(), faces + 1);
 }
@@ -56,12 +55,13 @@ void print_row(const std::string& name) {
   const SegmentSet input = workloads::make(name);
   const std::size_t n = input.segments.size();
   const ArrangeOptions one_thread{1, {}};
-  fmt::print(
-      "| {} | {} | {} | {} | {} | {} |\n", name, n, timed([&] { return published_cells(input); }),
-      timed([&] { return cells(lar::arrange(input, {0.0}).complex); }),
-      timed([&] { return cells(arrange(input, Engine::Bucket, one_thread)); }),
-      takes_cgal_minutes(name, n) ? ""
-                                  : timed([&] { return cells(arrange(input, Engine::Cgal)); }));
+  fmt::print("| {} | {} | {} | {} | {} | {} |\n", name, n,
+             timed([&] { return published_cells(input); }),
+             timed([&] { return cells(lar::arrange(input, {0.0}).complex); }),
+             timed([&] { return cells(arrange(input, ExactEngine::Bucket, one_thread)); }),
+             takes_cgal_minutes(name, n) ? "" : timed([&] {
+               return cells(arrange(input, ExactEngine::Cgal));
+             }));
   std::fflush(stdout);
 }
 

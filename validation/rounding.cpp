@@ -112,7 +112,7 @@ bool print_rows(const fs::path& directory, std::vector<Total>& totals) {
     try {
       input = evaluate(read(file));
       const std::clock_t start = std::clock();
-      complex = arrange(input, Engine::Bucket, {1, {}});
+      complex = arrange(input, ExactEngine::Bucket, {1, {}});
       seconds = seconds_since(start);
     } catch (const Error&) {
       continue;  // no drawing, or one that the readers refuse: counted elsewhere

@@ -25,43 +25,7 @@ enum class Disagreement {
 std::string to_text(CellKind kind);
 std::string to_text(Disagreement disagreement);
 
-/// The steps from the file to the float result. Parse and transform belong to the conversion of
-/// the drawing, the others to the float pipeline (of both variants) or, where the result came from
-/// a file, to nobody: Foreign.
-enum class Stage {
-  Parse,            ///< a number of the file became the nearest double
-  Transform,        ///< a coordinate that maps or shapes gave became the nearest double
-  Quantise,         ///< rounded to fixed decimals, or written with few digits
-  Bucket,           ///< two segments that meet share no bucket
-  Intersect,        ///< a meeting missed, invented or misplaced
-  Order,            ///< cuts along a segment in the wrong order
-  Prune,            ///< vertices merged within the radius
-  Simplify,         ///< edges lost or kept over merged vertices
-  ComponentFilter,  ///< bridges, dangling edges, components left out
-  EdgeOrder,        ///< wrong order of edges around a vertex
-  FaceWalk,         ///< cycles that are no boundaries
-  OuterFace,        ///< a wrong cycle taken for the outer boundary
-  Nesting,          ///< components in wrong faces, holes left out
-  Foreign,          ///< somewhere in a result that came from a file
-};
-std::string to_text(Stage stage);
-
-/// Why a finding is there.
-struct Cause {
-  Stage stage = Stage::Foreign;
-  std::size_t round = 0;    ///< of cutting and merging, from 1; 0 outside of rounds
-  std::string rule;         ///< the name of the divergence, as in docs/divergences.md
-  std::string explanation;  ///< one sentence: what the stage did there
-  std::string advice;       ///< one sentence: what would have avoided it
-  /// The stage alone makes the finding: with its output continued exactly it is there, with its own
-  /// input continued exactly it is not.
-  bool confirmed = false;
-  /// With the stage replaced by its exact counterpart and the later ones run as they are, these
-  /// make the finding again. None: not tried, as for Parse and Transform, and on large drawings.
-  std::optional<bool> remade;
-};
-
-/// One disagreement. Numbered from 1 by its position in Crosscheck::findings.
+/// One disagreement. Numbered from 1 by its position in Comparison::findings.
 struct Finding {
   CellKind kind = CellKind::Complex;
   Disagreement disagreement = Disagreement::Invalid;
@@ -75,7 +39,6 @@ struct Finding {
   std::optional<Rational> area;              ///< of the symmetric difference of the faces, exact
   std::vector<SegmentId> segments;           ///< the input segments involved, ascending
   std::vector<std::size_t> because;          ///< numbers of earlier findings that it follows from
-  std::optional<Cause> cause;                ///< filled in by `check`
 };
 
 /// Which cells are compared.
@@ -84,7 +47,7 @@ enum class Compared {
   Graph,  ///< vertices and edges, of a result that has no faces
 };
 
-struct Crosscheck {
+struct Comparison {
   double tolerance = 0;
   Compared compared = Compared::All;
   Counts exact_counts, float_counts;
@@ -111,11 +74,11 @@ struct Crosscheck {
 /// that differ where they do not; a tolerance larger than the drawing's features costs up to some
 /// hundred operations a cell. Throws: Error BadInput for a tolerance that is negative or not
 /// finite, or a coordinate that is not finite.
-Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
-                      double tolerance);
+Comparison compare(const ExactComplex& exact_complex, const FloatComplex& float_complex,
+                   double tolerance);
 /// The same of two exact complexes: the second one takes the place of the float complex. Of Graph,
 /// what its faces and cycles are does not matter.
-Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& other_complex,
-                      double tolerance, Compared compared = Compared::All);
+Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_complex,
+                   double tolerance, Compared compared = Compared::All);
 
 }  // namespace plumbline

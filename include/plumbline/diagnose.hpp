@@ -93,6 +93,16 @@ struct Diagnosis {
   std::size_t count(DefectKind kind) const { return found[static_cast<std::size_t>(kind)]; }
 };
 
+/// How often the drawing draws the same twice.
+struct Repetitions {
+  std::size_t duplicates =
+      0;                     ///< segments with the two ends of an earlier one, in either direction
+  std::size_t overlaps = 0;  ///< pairs of different collinear segments that share more than a point
+};
+/// **Exact**. Requires: the complex is `arrange(input)`. Cost: O(n log n), and linear in the
+/// complex.
+Repetitions repetitions(const SegmentSet& input, const ExactComplex& complex);
+
 /// The defects of a drawing, found in its exact arrangement. **Exact**, but for which near places a
 /// short way along the edges explains (**heuristic**: lengths of ways in doubles, at most four
 /// times the distance). Requires: the complex is `arrange(input)`. Order: by kind; repetitions and

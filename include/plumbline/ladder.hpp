@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -57,24 +56,5 @@ struct LadderOptions {
 /// microseconds for each pair within the last radius.
 /// Throws: Error BadInput for a largest radius that is negative or not a number.
 ToleranceLadder tolerance_ladder(const ExactComplex& complex, const LadderOptions& options = {});
-
-/// A radius that the float pipeline was run with.
-struct TriedRadius {
-  double radius = 0;
-  bool is_right = false;  ///< whether its result agreed with the exact complex
-};
-
-/// The radii for which the float pipeline's result is right, as far as they were tried: every tried
-/// radius from `least` to `largest` gave the exact complex; the tried ones next to them, if there
-/// are any, did not. Between tried radii nothing is known.
-struct RightRadii {
-  double least = 0, largest = 0;
-  std::vector<TriedRadius> tried;  ///< ascending
-
-  /// Whether none of them was right; `least` and `largest` mean nothing then.
-  bool empty() const {
-    return std::none_of(tried.begin(), tried.end(), [](const auto& t) { return t.is_right; });
-  }
-};
 
 }  // namespace plumbline

@@ -48,7 +48,7 @@ struct Rounding {
 /// proofs need pixels of one shape, and points at least one spacing apart stay apart. So ties
 /// go upwards on uniform grids.
 ///
-/// Guaranteed, and the first four verified before it returns (`verify_rounding`), all **exact**:
+/// Guaranteed, and the first four verified before it returns (`ensure_rounded`), all **exact**:
 /// - Grid: every coordinate is a number of the grid.
 /// - Movement: in x and in y, no vertex moves by more than spacing / 2; an edge's image, walked
 ///   from end to end, stays within spacing / 2 of the edge, walked at some pace.
@@ -77,7 +77,7 @@ bool is_kept_by_simple_rounding(const ExactComplex& complex, const Grid& grid);
 
 /// Checks every guarantee above of a rounding of `complex` but the last three, anew. Throws: Error
 /// Internal, with the first one broken and its place.
-void verify_rounding(const ExactComplex& complex, const Grid& grid, const Rounding& rounding);
+void ensure_rounded(const ExactComplex& complex, const Grid& grid, const Rounding& rounding);
 
 /// What a rounding did, cell by cell, ascending. Edges and faces without name here correspond one
 /// to one. All distances are **exact** and at most half a diagonal of a pixel.

@@ -27,8 +27,8 @@ void ensure_within_limit(const SegmentSet& input) {
   }
 }
 
-ExactComplex arrange(const SegmentSet& input, Engine engine, const ArrangeOptions& options) {
-  if (engine == Engine::Bucket) return Arrangement(input, options).complex();
+ExactComplex arrange(const SegmentSet& input, ExactEngine engine, const ArrangeOptions& options) {
+  if (engine == ExactEngine::Bucket) return Arrangement(input, options).complex();
   ensure_within_limit(input);
   return cgal_engine(input);
 }

@@ -41,7 +41,7 @@ class Text {
 };
 
 void add_vertices(Text& text, const ExactComplex& complex, const SegmentSet& input) {
-  const std::vector<std::string> reasons = certificates::reasons(complex, input);
+  const std::vector<std::string> reasons = certificate_steps::reasons(complex, input);
   text.section("vertices", complex.vertices.size());
   for (std::size_t v = 0; v < complex.vertices.size(); ++v)
     text.field(complex.vertices[v]).field(reasons[v]).line();

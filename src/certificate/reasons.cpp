@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace plumbline::certificates {
+namespace plumbline::certificate_steps {
 namespace {
 
 /// The lexicographically first and last vertex of a segment.
@@ -102,4 +102,4 @@ std::vector<std::string> reasons(const ExactComplex& complex, const SegmentSet& 
   return names;
 }
 
-}  // namespace plumbline::certificates
+}  // namespace plumbline::certificate_steps

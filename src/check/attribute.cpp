@@ -10,9 +10,8 @@
 #include <set>
 
 #include "compare/wrong_cells.hpp"
-#include "engines/lar/explain/cells.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::check_steps {
 namespace {
 
 /// Broken invariants that say that edges meet where they should not; of edges or vertices alone.
@@ -31,10 +30,10 @@ bool is_about_line_work(const Finding& finding) {
 }
 
 /// Whether pieces of the same segments meet where they should not there, too.
-bool breaks_too(const Crosscheck& crosscheck, const Finding& finding) {
+bool breaks_too(const Comparison& comparison, const Finding& finding) {
   if (finding.segments.empty()) return false;
   const std::size_t least = std::min<std::size_t>(finding.segments.size(), 2);
-  return std::any_of(crosscheck.findings.begin(), crosscheck.findings.end(),
+  return std::any_of(comparison.findings.begin(), comparison.findings.end(),
                      [&](const Finding& other) {
                        if (!is_about_line_work(other)) return false;
                        std::vector<SegmentId> common;
@@ -51,7 +50,7 @@ Ends ends(const PointD& a, const PointD& b) { return std::minmax(a, b); }
 
 Cause parsing() {
   Cause cause;
-  cause.stage = Stage::Parse;
+  cause.stage = kParse;
   cause.rule = "decimal-to-double";
   cause.explanation = "numbers of the file became the nearest doubles";
   cause.advice = "read the numbers as decimals, or draw on a grid of binary fractions";
@@ -61,7 +60,7 @@ Cause parsing() {
 
 Cause transforming() {
   Cause cause;
-  cause.stage = Stage::Transform;
+  cause.stage = kTransform;
   cause.rule = "transformed-to-double";
   cause.explanation = "coordinates that maps gave became the nearest doubles";
   cause.advice = "apply the maps exactly, or after the arrangement";
@@ -69,45 +68,56 @@ Cause transforming() {
   return cause;
 }
 
+bool is_of_conversion(const Cause& cause) {
+  return cause.stage == kParse || cause.stage == kTransform;
+}
+
 class Attribution {
  public:
-  Attribution(Crosscheck& result, const ExactComplex& exact_complex,
-              const FloatComplex& float_complex, const TracedRun& run, const Crosscheck& conversion,
+  Attribution(const Comparison& comparison, const ExactComplex& exact_complex,
+              const FloatComplex& float_complex, const Run& run, const Converted& converted,
               std::size_t threads)
-      : result_(result),
+      : comparison_(comparison),
+        findings_(comparison.findings),
         exact_(exact_complex),
         float_(float_complex),
         run_(run),
-        conversion_(conversion),
+        converted_(converted),
         threads_(threads),
         outputs_(run.outputs()),
         is_cut_once_(std::any_of(outputs_.begin(), outputs_.end(),
-                                 [](const StageOutput& output) { return output.is_cut; })) {}
+                                 [](const StageOutput& output) { return output.is_cut; })),
+        causes_(findings_.size()) {}
 
-  void run() {
+  std::vector<Cause> causes() && {
     if (!is_cut_once_) blame_invalid();
-    for (std::size_t i = 0; i < result_.findings.size(); ++i) {
-      const Finding& finding = result_.findings[i];
-      const bool is_of_cells = finding.invariant && !is_about_line_work(finding);
-      if (!finding.cause && !is_of_cells) open_.push_back(i);
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+      const bool is_of_cells = findings_[i].invariant && !is_about_line_work(findings_[i]);
+      if (!causes_[i] && !is_of_cells) open_.push_back(i);
     }
     // A valid float complex is the exact one of the last line work.
     std::size_t k = outputs_.size() - 1;
-    if (!result_.float_valid) close_absent(k);
-    for (; k > 0 && !open_.empty(); --k)
+    if (!comparison_.float_valid) close_absent(k);
+    for (; k > 0 && !open_.empty(); --k) {
       if (outputs_[k].changed) close_absent(k - 1);
+    }
     take_from_conversion();
     if (is_cut_once_) blame_invalid_cells();
     explain();
     run_without_owners();
+    blame_suspects();
+    std::vector<Cause> result;
+    for (std::size_t i = 0; i < findings_.size(); ++i) {
+      result.push_back(run_.refined(findings_[i], std::move(*causes_[i])));
+    }
+    return result;
   }
 
  private:
   /// The open findings that are not there when the output of stage k is continued exactly belong to
   /// the stage after it.
   void close_absent(std::size_t k);
-  ExactComplex continued_exactly(const StageOutput& output) const;
-  void blame(Finding& finding, std::size_t owner);
+  Cause owned_by(const Finding& finding, std::size_t owner) const;
   void blame_invalid();
   void blame_invalid_cells();
   std::size_t owner_of_invalid(const Finding& finding) const;
@@ -116,19 +126,24 @@ class Attribution {
   void take_from_conversion();
   void explain();
   void run_without_owners();
+  void run_without(const std::string& stage, std::size_t round,
+                   const std::vector<std::size_t>& findings);
+  void blame_suspects();
 
-  Crosscheck& result_;
+  const Comparison& comparison_;
+  const std::vector<Finding>& findings_;
   const ExactComplex& exact_;
   const FloatComplex& float_;
-  const TracedRun& run_;
-  const Crosscheck& conversion_;
+  const Run& run_;
+  const Converted& converted_;
   const std::size_t threads_;
   const std::vector<StageOutput> outputs_;
   const bool is_cut_once_;
-  std::vector<std::size_t> open_;  ///< findings there from the stage looked at on
+  std::vector<std::optional<Cause>> causes_;  ///< per finding
+  std::vector<std::size_t> open_;             ///< findings there from the stage looked at on
 };
 
-void Attribution::blame(Finding& finding, std::size_t owner) {
+Cause Attribution::owned_by(const Finding& finding, std::size_t owner) const {
   Cause cause;
   if (owner < outputs_.size()) {
     cause.stage = outputs_[owner].stage;
@@ -136,7 +151,7 @@ void Attribution::blame(Finding& finding, std::size_t owner) {
   } else {
     cause.stage = run_.late_stage(finding);
   }
-  finding.cause = cause;
+  return cause;
 }
 
 std::size_t Attribution::changed(std::size_t k) const {
@@ -145,38 +160,39 @@ std::size_t Attribution::changed(std::size_t k) const {
 }
 
 void Attribution::close_absent(std::size_t k) {
-  std::optional<Crosscheck> continued;
-  if (const std::size_t with_work = changed(k); with_work > 0)
-    continued = crosscheck(exact_, continued_exactly(outputs_[with_work]), result_.tolerance);
-  const Crosscheck& there = continued ? *continued : conversion_;
-  const WrongCells wrong(there, exact_);
+  std::optional<Comparison> continued;
+  if (const std::size_t with_work = changed(k); with_work > 0) {
+    continued =
+        compare(exact_, run_.continued(outputs_[with_work], threads_), comparison_.tolerance);
+  }
+  const Comparison& there = continued ? *continued : converted_.comparison;
+  const compare_steps::WrongCells wrong(there, exact_);
   std::erase_if(open_, [&](std::size_t i) {
-    const Finding& finding = result_.findings[i];
+    const Finding& finding = findings_[i];
     if (finding.invariant ? breaks_too(there, finding) : wrong.has(finding)) return false;
-    blame(result_.findings[i], k + 1);
-    result_.findings[i].cause->confirmed = true;
+    causes_[i] = owned_by(finding, k + 1);
+    causes_[i]->confirmed = true;
     return true;
   });
-}
-
-ExactComplex Attribution::continued_exactly(const StageOutput& output) const {
-  return output.is_cut ? cells_of(output.work, threads_) : arrange(output.work, threads_);
 }
 
 /// Edges that meet where they should not were left by the last cutting if it had them in this
 /// place, else made by what came after it.
 std::size_t Attribution::owner_of_invalid(const Finding& finding) const {
   std::set<Ends> bad;
-  if (finding.kind == CellKind::Edge)
-    for (const std::size_t e : finding.float_cells)
+  if (finding.kind == CellKind::Edge) {
+    for (const std::size_t e : finding.float_cells) {
       bad.insert(
           ends(float_.vertices[float_.edges[e].tail], float_.vertices[float_.edges[e].head]));
+    }
+  }
   std::size_t owner = outputs_.size() - 1;
   for (std::size_t k = outputs_.size() - 1; k > 0; --k) {
-    if (outputs_[k].stage != Stage::Intersect) continue;
+    if (!outputs_[k].cuts) continue;
     std::set<Ends> here;
-    for (const SegmentD& s : outputs_[changed(k)].work.segments)
+    for (const SegmentD& s : outputs_[changed(k)].work.segments) {
       if (const Ends e = ends(s.a, s.b); bad.contains(e)) here.insert(e);
+    }
     if (here.size() < bad.size() || bad.empty()) break;
     owner = k;
   }
@@ -184,74 +200,95 @@ std::size_t Attribution::owner_of_invalid(const Finding& finding) const {
 }
 
 void Attribution::blame_invalid() {
-  for (Finding& finding : result_.findings)
-    if (is_about_line_work(finding)) blame(finding, owner_of_invalid(finding));
+  for (std::size_t i = 0; i < findings_.size(); ++i) {
+    if (is_about_line_work(findings_[i]))
+      causes_[i] = owned_by(findings_[i], owner_of_invalid(findings_[i]));
+  }
   blame_invalid_cells();
 }
 
 /// Where edges cross, cycles and nesting mean nothing; else they are wrong by themselves.
 void Attribution::blame_invalid_cells() {
-  const auto of_lines = std::find_if(result_.findings.begin(), result_.findings.end(),
-                                     [](const Finding& f) { return is_about_line_work(f); });
-  const bool is_crossed = of_lines != result_.findings.end();
-  for (Finding& finding : result_.findings) {
-    if (finding.disagreement != Disagreement::Invalid || finding.cause) continue;
-    if (is_crossed)
-      finding.cause = of_lines->cause;
-    else
-      blame(finding, outputs_.size());
+  const auto of_lines = std::find_if(findings_.begin(), findings_.end(), is_about_line_work);
+  for (std::size_t i = 0; i < findings_.size(); ++i) {
+    if (findings_[i].disagreement != Disagreement::Invalid || causes_[i]) continue;
+    causes_[i] = of_lines != findings_.end()
+                     ? causes_[static_cast<std::size_t>(of_lines - findings_.begin())]
+                     : owned_by(findings_[i], outputs_.size());
   }
 }
 
 /// What is left was there in the rounded input already.
 void Attribution::take_from_conversion() {
-  const WrongCells wrong(conversion_, exact_);
+  const compare_steps::WrongCells wrong(converted_.comparison, exact_);
   for (const std::size_t i : open_) {
-    Finding& finding = result_.findings[i];
-    const Finding* same = wrong.same(finding);
-    if (same && same->cause)
-      finding.cause = same->cause;
-    else
-      blame(finding, 0);
+    const auto same = wrong.same(findings_[i]);
+    causes_[i] = same ? converted_.causes[*same] : owned_by(findings_[i], 0);
   }
   open_.clear();
 }
 
-/// What follows from another finding of the same stage has its rule.
+/// A finding that follows from an earlier one of the same stage has the earlier one's rule.
 void Attribution::explain() {
-  for (Finding& finding : result_.findings) {
-    Cause& cause = *finding.cause;
+  for (std::size_t i = 0; i < findings_.size(); ++i) {
+    Cause& cause = *causes_[i];
     if (!cause.rule.empty()) continue;
-    for (const std::size_t number : finding.because) {
-      const Cause& earlier = *result_.findings[number - 1].cause;
+    for (const std::size_t number : findings_[i].because) {
+      const Cause& earlier = *causes_[number - 1];
       if (earlier.stage != cause.stage || earlier.round != cause.round) continue;
       cause = earlier;
       break;
     }
-    if (cause.rule.empty()) run_.explain(finding, cause);
+    if (cause.rule.empty()) cause = run_.explained(findings_[i], std::move(cause));
   }
 }
 
 /// Replaces each stage that owns findings by the exact one, once, and lets the later ones run.
 void Attribution::run_without_owners() {
-  std::map<std::pair<Stage, std::size_t>, std::vector<Finding*>> by_stage;
-  for (Finding& finding : result_.findings)
-    by_stage[{finding.cause->stage, finding.cause->round}].push_back(&finding);
-  const bool is_large = exact_.edge_count() > kMostEdgesRunAgain;
-  for (const auto& [place, findings] : by_stage) {
-    if (place.first == Stage::Parse || place.first == Stage::Transform) continue;
-    if (is_large && result_.float_valid) continue;
-    const std::optional<FloatComplex> replaced = run_.with_exact(place.first, place.second);
+  if (exact_.edge_count() > kMostEdgesRunAgain && comparison_.float_valid) return;
+  std::map<std::pair<std::string, std::size_t>, std::vector<std::size_t>> by_stage;
+  for (std::size_t i = 0; i < findings_.size(); ++i) {
+    if (!is_of_conversion(*causes_[i]))
+      by_stage[{causes_[i]->stage, causes_[i]->round}].push_back(i);
+  }
+  for (const auto& [place, findings] : by_stage) run_without(place.first, place.second, findings);
+}
+
+void Attribution::run_without(const std::string& stage, std::size_t round,
+                              const std::vector<std::size_t>& findings) {
+  const std::optional<FloatComplex> replaced = run_.with_exact(stage, round);
+  if (!replaced) return;
+  const Comparison now = compare(exact_, *replaced, comparison_.tolerance);
+  const compare_steps::WrongCells wrong(now, exact_);
+  for (const std::size_t i : findings) {
+    Cause& cause = *causes_[i];
+    if (findings_[i].disagreement == Disagreement::Invalid) {
+      cause.remade = !now.float_valid;
+      if (!is_cut_once_ || now.float_valid) cause.confirmed = now.float_valid;
+    } else {
+      cause.remade = wrong.has(findings_[i]);
+    }
+  }
+}
+
+/// A finding belongs to the stage that the run suspects, if it goes away where that one is exact.
+void Attribution::blame_suspects() {
+  std::map<std::string, std::vector<std::size_t>> by_suspect;
+  for (std::size_t i = 0; i < findings_.size(); ++i) {
+    if (const auto suspect = run_.suspect(*causes_[i])) by_suspect[*suspect].push_back(i);
+  }
+  for (const auto& [suspect, findings] : by_suspect) {
+    const auto replaced = run_.with_exact(suspect, 0);
     if (!replaced) continue;
-    const Crosscheck now = crosscheck(exact_, *replaced, result_.tolerance);
-    const WrongCells wrong(now, exact_);
-    for (Finding* finding : findings) {
-      if (finding->disagreement == Disagreement::Invalid) {
-        finding->cause->remade = !now.float_valid;
-        if (!is_cut_once_ || now.float_valid) finding->cause->confirmed = now.float_valid;
-      } else {
-        finding->cause->remade = wrong.has(*finding);
-      }
+    const Comparison now = compare(exact_, *replaced, comparison_.tolerance);
+    const compare_steps::WrongCells wrong(now, exact_);
+    for (const std::size_t i : findings) {
+      if (wrong.has(findings_[i])) continue;
+      Cause cause;
+      cause.stage = suspect;
+      cause.confirmed = true;
+      cause.remade = false;
+      causes_[i] = run_.explained(findings_[i], std::move(cause));
     }
   }
 }
@@ -267,39 +304,45 @@ std::string rule_of(const Finding& finding) {
 
 }  // namespace
 
-void attribute(Crosscheck& result, const ExactComplex& exact_complex,
-               const FloatComplex& float_complex, const TracedRun& run,
-               const Crosscheck& conversion, std::size_t threads) {
-  if (result.agree()) return;
-  Attribution(result, exact_complex, float_complex, run, conversion, threads).run();
+std::vector<Cause> attribute(const Comparison& comparison, const ExactComplex& exact_complex,
+                             const FloatComplex& float_complex, const Run& run,
+                             const Converted& converted, std::size_t threads) {
+  if (comparison.agree()) return {};
+  return Attribution(comparison, exact_complex, float_complex, run, converted, threads).causes();
 }
 
-void attribute_conversion(Crosscheck& conversion, const Crosscheck* parsed,
-                          const ExactComplex& exact_complex) {
-  std::optional<WrongCells> wrong;
+std::vector<Cause> attribute_conversion(const Comparison& conversion, const Comparison* parsed,
+                                        const ExactComplex& exact_complex) {
+  std::optional<compare_steps::WrongCells> wrong;
   if (parsed) wrong.emplace(*parsed, exact_complex);
-  for (Finding& finding : conversion.findings) {
+  std::vector<Cause> causes;
+  for (const Finding& finding : conversion.findings) {
     const bool by_parsing = !wrong || wrong->has(finding);
-    finding.cause = by_parsing ? parsing() : transforming();
+    causes.push_back(by_parsing ? parsing() : transforming());
   }
+  return causes;
 }
 
-void attribute_foreign(Crosscheck& result, const ExactComplex& exact_complex,
-                       const Crosscheck& conversion) {
-  const WrongCells converted(conversion, exact_complex);
-  for (Finding& finding : result.findings) {
+std::vector<Cause> attribute_to_engine(const Comparison& comparison, const std::string& engine,
+                                       const ExactComplex& exact_complex,
+                                       const Converted& converted) {
+  const compare_steps::WrongCells wrong(converted.comparison, exact_complex);
+  std::vector<Cause> causes;
+  for (const Finding& finding : comparison.findings) {
     const bool is_invalid = finding.disagreement == Disagreement::Invalid;
-    if (const Finding* same = is_invalid ? nullptr : converted.same(finding); same && same->cause) {
-      finding.cause = same->cause;
+    if (const auto same = is_invalid ? std::nullopt : wrong.same(finding)) {
+      causes.push_back(converted.causes[*same]);
       continue;
     }
     Cause cause;
+    cause.stage = engine;
     cause.rule = rule_of(finding);
     cause.explanation = "rounding the drawing to doubles does not make it: its maker did";
     if (finding.distance && *finding.distance > 0 && !is_invalid)
       cause.advice = fmt::format("a tolerance or grid below {:.3g} there", *finding.distance);
-    finding.cause = cause;
+    causes.push_back(std::move(cause));
   }
+  return causes;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::check_steps

@@ -3,37 +3,15 @@
 #include <algorithm>
 
 #include "check/attribute.hpp"
-#include "engine/line_work.hpp"
-#include "engines/inters/explain/run.hpp"
-#include "engines/inters/explain/svg_lines.hpp"
-#include "engines/lar/explain/run.hpp"
 #include "plumbline/arrange.hpp"
-#include "plumbline/engines/lar.hpp"
 
 namespace plumbline {
 namespace {
 
-/// The second answer, and why it differs from the first.
-void compare_conversion(Check& result, const CheckOptions& options, double tolerance) {
-  result.doubles_complex = checking::arrange(checking::rounded(result.input), options.threads);
-  result.conversion = crosscheck(result.exact_complex, result.doubles_complex, tolerance);
-  std::optional<Crosscheck> parsed;
-  if (options.parsed && !result.conversion.agree())
-    parsed = crosscheck(result.exact_complex, arrange(options.parsed()), tolerance);
-  checking::attribute_conversion(result.conversion, parsed ? &*parsed : nullptr,
-                                 result.exact_complex);
-}
+/// Of a drawing's largest coordinate: 128 roundings to doubles.
+constexpr double kLeastTolerance = 0x1p-46;
 
-/// Adds the notes on the result to those on the drawing.
-void add_notes(SegmentSet& input, ForeignResult& foreign) {
-  const std::uint32_t file = input.add_file(foreign.file);
-  for (Rejected& item : foreign.rejected) {
-    item.source.file = file;
-    input.rejected.push_back(std::move(item));
-  }
-}
-
-double foreign_tolerance(const ExactComplex& complex) {
+double tolerance_of_drawing(const ExactComplex& complex) {
   if (complex.vertices.empty()) return 0;
   PointD low = nearest(complex.vertices.front()), high = low;
   for (const Point& vertex : complex.vertices) {
@@ -43,75 +21,77 @@ double foreign_tolerance(const ExactComplex& complex) {
   }
   const double side = std::max(high.x - low.x, high.y - low.y);
   const double largest = std::max({-low.x, -low.y, high.x, high.y});
-  return std::max(kForeignTolerance * side, lar::kLeastRelativeRadius * largest);
+  return std::max(kToleranceOfAnswers * side, kLeastTolerance * largest);
 }
 
-/// The answer of the published pipeline, and why it differs from the first.
-void compare_published(Check& result, const CheckOptions& options) {
-  namespace published = lar::published;
-  published::Options run;
-  run.decimals = options.published->decimals;
-  run.radius = options.radius.value_or(published::kRadius);
-  run.threads = options.threads;
-  const published::Trace trace =
-      published::run(options.published->lines.value_or(published::lines(result.input)), run);
-  const checking::PublishedRun traced(trace, options.published->result, options.threads);
-  result.float_complex = traced.complex();
-  result.result = "published";
-  result.radius = run.radius;
-  const double tolerance = options.tolerance.value_or(run.radius);
-  result.crosscheck = crosscheck(result.exact_complex, exact(result.float_complex), tolerance,
-                                 traced.has_faces() ? Compared::All : Compared::Graph);
-  compare_conversion(result, options, tolerance);
-  checking::attribute(result.crosscheck, result.exact_complex, result.float_complex, traced,
-                      result.conversion, options.threads);
-  checking::blame_missed_junctions(result.crosscheck, result.exact_complex, traced);
-  for (Finding& finding : result.crosscheck.findings) traced.refine(finding);
-  for (Finding& failure : traced.failures())
-    result.crosscheck.findings.push_back(std::move(failure));
-  if (!options.published->svg) return;
-  for (Finding& misread : checking::svg_to_lines_findings(*options.published->svg, result.input))
-    result.crosscheck.findings.push_back(std::move(misread));
+Comparison compare_answer(const ExactComplex& exact_complex, const Answer& answer,
+                          double tolerance) {
+  if (answer.exact_complex)
+    return compare(exact_complex, *answer.exact_complex, tolerance, answer.compared);
+  if (answer.compared == Compared::All) return compare(exact_complex, answer.complex, tolerance);
+  return compare(exact_complex, exact(answer.complex), tolerance, answer.compared);
+}
+
+/// The second answer, and why it differs from the first.
+void compare_conversion(Check& result, const CheckOptions& options) {
+  const double tolerance = result.comparison.tolerance;
+  result.doubles_complex = arrange(rounded(result.input), options.threads);
+  result.conversion = compare(result.exact_complex, result.doubles_complex, tolerance);
+  std::optional<Comparison> parsed;
+  if (options.parsed && !result.conversion.agree())
+    parsed = compare(result.exact_complex, arrange(options.parsed()), tolerance);
+  result.conversion_causes = check_steps::attribute_conversion(
+      result.conversion, parsed ? &*parsed : nullptr, result.exact_complex);
+}
+
+/// The stages that made the findings.
+void explain(Check& result, std::size_t threads) {
+  const check_steps::Converted converted{result.conversion, result.conversion_causes};
+  if (!result.answer.trace) {
+    result.causes = check_steps::attribute_to_engine(result.comparison, result.answer.engine,
+                                                     result.exact_complex, converted);
+    return;
+  }
+  if (result.agree()) return;
+  const auto run = result.answer.trace();
+  result.causes = check_steps::attribute(result.comparison, result.exact_complex,
+                                         result.answer.complex, *run, converted, threads);
+}
+
+/// What the engine itself says is wrong are findings, too.
+void add_failures(Check& result) {
+  for (const Explained& failure : result.answer.failures) {
+    result.comparison.findings.push_back(failure.finding);
+    result.causes.push_back(failure.cause);
+  }
+}
+
+/// Adds what the answer left out to what the drawing's reader did.
+void add_dropped(SegmentSet& input, const Answer& answer) {
+  if (answer.dropped.empty()) return;
+  const std::uint32_t file = input.add_file(answer.title);
+  for (Rejected item : answer.dropped) {
+    item.source.file = file;
+    input.rejected.push_back(std::move(item));
+  }
 }
 
 }  // namespace
 
-Check check(SegmentSet input, ExactComplex exact_complex, const CheckOptions& options) {
+Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
+            const CheckOptions& options) {
   Check result;
   result.input = std::move(input);
   result.exact_complex = std::move(exact_complex);
-  if (options.published) {
-    compare_published(result, options);
-    return result;
-  }
-  lar::Result run = lar::arrange(result.input, {options.radius, options.threads});
-  result.float_complex = std::move(run.complex);
-  result.result = "repaired";
-  result.radius = run.trace.radius;
-  const double tolerance = options.tolerance.value_or(run.trace.radius);
-  result.crosscheck = crosscheck(result.exact_complex, result.float_complex, tolerance);
-  compare_conversion(result, options, tolerance);
-  if (!result.crosscheck.agree()) {
-    const checking::RepairedRun traced(result.input, run.trace, options.threads);
-    checking::attribute(result.crosscheck, result.exact_complex, result.float_complex, traced,
-                        result.conversion, options.threads);
-  }
-  return result;
-}
-
-Check check_against(SegmentSet input, ExactComplex exact_complex, ForeignResult foreign,
-                    const CheckOptions& options) {
-  Check result;
-  result.input = std::move(input);
-  result.exact_complex = std::move(exact_complex);
-  result.float_complex = nearest(foreign.complex);
-  result.result = foreign.file;
-  const double tolerance = options.tolerance.value_or(foreign_tolerance(result.exact_complex));
-  result.crosscheck = crosscheck(result.exact_complex, foreign.complex, tolerance,
-                                 foreign.has_faces ? Compared::All : Compared::Graph);
-  compare_conversion(result, options, tolerance);
-  checking::attribute_foreign(result.crosscheck, result.exact_complex, result.conversion);
-  add_notes(result.input, foreign);
+  result.answer = std::move(answer);
+  const double tolerance = options.tolerance      ? *options.tolerance
+                           : result.answer.radius ? *result.answer.radius
+                                                  : tolerance_of_drawing(result.exact_complex);
+  result.comparison = compare_answer(result.exact_complex, result.answer, tolerance);
+  compare_conversion(result, options);
+  explain(result, options.threads);
+  add_failures(result);
+  add_dropped(result.input, result.answer);
   return result;
 }
 

@@ -9,10 +9,9 @@
 #include <iterator>
 #include <optional>
 
-#include "plumbline/engines/lar.hpp"
 #include "plumbline/error.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::check_steps {
 namespace {
 
 // Radii are tried this factor below and above a critical one.
@@ -24,13 +23,14 @@ constexpr std::size_t kLeastTrials = 6;
 
 class Trials {
  public:
-  Trials(const SegmentSet& input, const ExactComplex& exact_complex, const AdviceOptions& options)
-      : input_(input), exact_(exact_complex), options_(options) {}
+  Trials(const WithRadius& engine, const SegmentSet& input, const ExactComplex& exact_complex,
+         const AdviceOptions& options)
+      : engine_(engine), input_(input), exact_(exact_complex), options_(options) {}
 
   bool may_go_on() const { return tried_.size() < options_.max_runs; }
   const std::vector<TriedRadius>& tried() const { return tried_; }
 
-  /// Whether the float result is right; the radius is recorded as the pipeline raised it.
+  /// Whether the answer is right; the radius is recorded as the engine raises it.
   bool is_right(double radius) {
     const double done = static_cast<double>(tried_.size()) / static_cast<double>(options_.max_runs);
     if (options_.progress && !options_.progress(done))
@@ -74,12 +74,10 @@ class Trials {
  private:
   TriedRadius run(double radius) const {
     try {
-      const lar::Result result = lar::arrange(input_, {radius, options_.threads});
-      const double used = result.trace.radius;
-      const std::size_t vertices = result.complex.vertices.size();
-      if (counts(result.complex, vertices) != counts(exact_, exact_.vertices.size()))
+      const auto [complex, used] = engine_(input_, radius, options_.threads);
+      if (counts(complex, complex.vertices.size()) != counts(exact_, exact_.vertices.size()))
         return {used, false};
-      return {used, crosscheck(exact_, result.complex, used).agree()};
+      return {used, compare(exact_, complex, used).agree()};
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Limit) return {radius, false};
       throw;
@@ -95,6 +93,7 @@ class Trials {
     return true;
   }
 
+  const WithRadius& engine_;
   const SegmentSet& input_;
   const ExactComplex& exact_;
   const AdviceOptions& options_;
@@ -122,9 +121,10 @@ RightRadii longest_run(const std::vector<TriedRadius>& tried) {
 
 }  // namespace
 
-RightRadii right_radii(const SegmentSet& input, const ExactComplex& exact_complex,
-                       const ToleranceLadder& ladder, const AdviceOptions& options) {
-  Trials trials(input, exact_complex, options);
+RightRadii right_radii(const WithRadius& engine, const SegmentSet& input,
+                       const ExactComplex& exact_complex, const ToleranceLadder& ladder,
+                       const AdviceOptions& options) {
+  Trials trials(engine, input, exact_complex, options);
   trials.is_right(0);  // raised to the least radius there is
   const double least = trials.tried().front().radius;
   for (const LadderStep& step : ladder.steps) {
@@ -139,4 +139,4 @@ RightRadii right_radii(const SegmentSet& input, const ExactComplex& exact_comple
   return longest_run(trials.tried());
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::check_steps

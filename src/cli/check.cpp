@@ -1,75 +1,79 @@
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
+#include <cstdio>
 
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
+#include "plumbline/engines/files.hpp"
 
 namespace plumbline::cli {
 namespace {
 
-std::optional<PublishedCheck> published_check(const CheckArguments& arguments,
-                                              const Structure& structure) {
-  if (!arguments.is_published) {
-    if (arguments.decimals || arguments.result || arguments.with_svg2lines)
-      throw Error(ErrorCode::BadInput,
-                  "--decimals, --result and --svg2lines belong to --variant published");
-    return std::nullopt;
+/// What --set says, and the short forms of it.
+Parameters parameters_of(const CheckArguments& arguments, const Engine& engine) {
+  Parameters parameters;
+  const auto set = [&](const std::string& name, const std::string& text) {
+    parameters[name] = parameter_value(engine, name, text);
+  };
+  for (const std::string& setting : arguments.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+      throw Error(ErrorCode::BadInput, "--set needs NAME=VALUE", {}, setting);
+    set(setting.substr(0, equals), setting.substr(equals + 1));
   }
-  PublishedCheck result;
-  result.decimals = arguments.decimals.value_or(result.decimals);
-  result.result = arguments.result.value_or(result.result);
-  if (arguments.unit_square)
-    result.lines = lar::published::lines_on_unit_square(evaluate(structure), result.decimals);
-  if (arguments.with_svg2lines) {
-    if (!arguments.file.ends_with(".svg"))
-      throw Error(ErrorCode::BadInput, "svg2lines reads .svg files", {arguments.file, 0, 0});
-    std::ifstream file(arguments.file, std::ios::binary);
-    result.svg.emplace(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  if (arguments.radius) set("radius", *arguments.radius);
+  if (arguments.decimals) set("decimals", *arguments.decimals);
+  if (arguments.result) set("result", *arguments.result);
+  return parameters;
+}
+
+Engine engine_named(const std::string& name) {
+  for (Engine& engine : engines()) {
+    if (engine.name == name) return engine;
   }
-  return result;
+  return engine_for(name, {}, {});  // says which there are
+}
+
+Answer answer_for(const CheckArguments& arguments, const Drawing& drawing) {
+  const Parameters parameters = parameters_of(arguments, engine_named(arguments.engine));
+  const Engine engine = arguments.with_svg2lines
+                            ? inters_with_svg2lines(drawing)
+                            : engine_for(arguments.engine, drawing, parameters);
+  return answer_of(engine, drawing.input, parameters, arguments.threads);
 }
 
 Check compare(const CheckArguments& arguments) {
-  std::optional<ForeignResult> foreign;  // read first: what is malformed is told at once
-  if (arguments.against) foreign = read_result(*arguments.against);
+  // What is malformed is told at once, before the work.
+  std::optional<Answer> answer;
+  if (arguments.against) {
+    answer = files::answer(files::read(*arguments.against));
+  } else {
+    parameters_of(arguments, engine_named(arguments.engine));
+  }
+  if (arguments.with_svg2lines && arguments.engine != "inters") {
+    throw Error(ErrorCode::BadInput, "--svg2lines belongs to --engine inters", {},
+                arguments.engine);
+  }
   Drawing drawing = load(arguments);
-  const Progress progress(foreign ? "comparing with " + foreign->file
-                                  : "running the float LAR pipeline and comparing");
-  const auto parsed = [&] {
-    const SegmentSet input = evaluate(rounded(std::move(drawing.structure)));
-    return arguments.unit_square ? lar::to_unit_square(input) : input;
-  };
-  const CheckOptions options{arguments.radius, arguments.tolerance, parsed, arguments.threads,
-                             published_check(arguments, drawing.structure)};
-  return foreign ? check_against(std::move(drawing.input), std::move(drawing.complex),
-                                 std::move(*foreign), options)
-                 : check(std::move(drawing.input), std::move(drawing.complex), options);
+  const Progress progress(answer ? "comparing with " + answer->title
+                                 : "running the engine " + arguments.engine + " and comparing");
+  if (!answer) answer = answer_for(arguments, drawing);
+  return checked(std::move(drawing), std::move(*answer), arguments.tolerance, arguments.threads);
 }
 
-// Advice runs the pipeline a dozen times: unasked only where that takes a few seconds.
-constexpr std::size_t kMostEdgesForAdvice = 20'000;
-
-/// The tolerance ladder where it is shown, right radii where they are asked for or cheap.
-Check with_advice(Check result, const CheckArguments& arguments) {
-  const bool is_small = result.exact_complex.edge_count() <= kMostEdgesForAdvice;
-  // The radii that are tried are those of the repaired variant.
-  const bool wants_radii =
-      !arguments.is_published && !arguments.against && arguments.advice.value_or(is_small);
-  if (!wants_radii && !arguments.plot && !arguments.report) return result;
+Check advised_as_asked(Check result, const CheckArguments& arguments) {
   Progress progress("looking for critical and right radii");
   AdviceOptions options;
-  if (!wants_radii) options.max_runs = 0;
   options.threads = arguments.threads;
   options.progress = [&](double part) {
     progress.tell(part);
     return true;
   };
-  return advised(std::move(result), options);
+  return with_advice(std::move(result), {arguments.advice, arguments.plot || arguments.report},
+                     options);
 }
 
 }  // namespace
@@ -80,13 +84,13 @@ ExitCode run(const CheckArguments& arguments) {
                                  {arguments.report, {".html"}},
                                  {arguments.plot, {".svg"}},
                                  {arguments.findings, {".geojson", ".json"}}});
-  const Check result = with_advice(compare(arguments), arguments);
-  if (arguments.output) write_file(*arguments.output, report_json(result));
-  if (arguments.picture) write_file(*arguments.picture, report_svg(result));
-  if (arguments.report) write_file(*arguments.report, report_html(result));
-  if (arguments.findings) write_file(*arguments.findings, report_geojson(result));
-  if (arguments.plot) write_file(*arguments.plot, ladder_svg(*result.ladder, result.right_radii));
-  fmt::print("{}", report_text(result, arguments.listed));
+  const Check result = advised_as_asked(compare(arguments), arguments);
+  if (arguments.output) write_file(*arguments.output, to_json(result));
+  if (arguments.picture) write_file(*arguments.picture, to_svg(result));
+  if (arguments.report) write_file(*arguments.report, to_html(result));
+  if (arguments.findings) write_file(*arguments.findings, to_geojson(result));
+  if (arguments.plot) write_file(*arguments.plot, to_svg(*result.ladder, result.right_radii));
+  fmt::print("{}", to_text(result, arguments.listed));
   return result.agree() ? kAgree : kDisagree;
 }
 

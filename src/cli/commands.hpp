@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "plumbline/arrange.hpp"
-#include "plumbline/check.hpp"
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/round.hpp"
@@ -27,6 +27,7 @@ struct InputArguments {
   std::string file;
   ReadOptions reading;
   Limits limits;
+  std::vector<std::string> notes;  ///< to be told first, on standard error
 };
 
 /// How large it may become.
@@ -36,10 +37,10 @@ inline EvaluateOptions limits_of(const InputArguments& arguments) {
 
 /// How it is arranged.
 struct DrawingArguments : InputArguments {
-  Engine engine = Engine::Bucket;
-  std::size_t threads = 0;   ///< 0: as many as there are cores
-  bool verify = false;       ///< arrange with both engines and compare
-  bool unit_square = false;  ///< map the drawing to the unit square first
+  ExactEngine exact_engine = ExactEngine::Bucket;
+  std::size_t threads = 0;    ///< 0: as many as there are cores
+  bool both_engines = false;  ///< arrange with both and compare
+  bool unit_square = false;   ///< map the drawing to the unit square first
 };
 
 struct ArrangeArguments : DrawingArguments {
@@ -52,11 +53,12 @@ struct ArrangeArguments : DrawingArguments {
 struct CheckArguments : DrawingArguments {
   std::optional<std::string> against;
   std::size_t listed = 4;  ///< findings printed
-  bool is_published = false;
-  std::optional<int> decimals;
-  std::optional<PublishedResult> result;
+  std::string engine = "lar";
+  std::vector<std::string> settings;    ///< NAME=VALUE, its parameters
+  std::optional<std::string> radius;    ///< of the engine, as text
+  std::optional<std::string> decimals;  ///< the same
+  std::optional<std::string> result;    ///< the same
   bool with_svg2lines = false;
-  std::optional<double> radius;
   std::optional<double> tolerance;
   std::optional<std::string> output;
   std::optional<std::string> picture;
@@ -100,6 +102,7 @@ inline constexpr std::size_t kMostRandomSegments = 10'000'000;
 
 struct RandomArguments {
   Limits limits;
+  std::vector<std::string> notes;
   std::size_t count = 0;
   double scaling = 0.1;
   std::uint64_t seed = 1;

@@ -27,35 +27,57 @@ void add_advice(CLI::App& command, CheckArguments& arguments) {
   add_plot(command, arguments.plot);
 }
 
-void add_variant_options(CLI::App& command, CheckArguments& arguments) {
-  const std::map<std::string, bool> variants{{"published", true}, {"repaired", false}};
-  const std::map<std::string, PublishedResult> results{
-      {"larFromLines", PublishedResult::LarFromLines},
-      {"allComponents", PublishedResult::AllComponents},
-      {"cells", PublishedResult::CellsFromCycles}};
+/// Whose answer is checked, and how it is run.
+void add_engine_options(CLI::App& command, CheckArguments& arguments) {
+  CLI::Option* engine =
+      command
+          .add_option_function<std::string>(
+              "--engine",
+              [&](const std::string& name) {
+                if (name != "bucket" && name != "cgal") {
+                  arguments.engine = name;
+                  return;
+                }
+                arguments.exact_engine = exact_engine(name);
+                arguments.notes.push_back("--engine " + name + " is --exact-engine " + name +
+                                          " now; --engine chooses the engine that is checked");
+              },
+              "Check the answer of this engine: lar (float LAR, the default), inters (LAR's module "
+              "as published, with all its divergences), files")
+          ->type_name("NAME")
+          ->excludes("--against");
   command
-      .add_option("--variant", arguments.is_published,
-                  "Of float LAR: repaired (the default) or published, with all its divergences")
-      ->transform(CLI::CheckedTransformer(variants).description(""))
+      .add_option(
+          "--set", arguments.settings,
+          "A parameter of the engine: of lar radius; of inters radius, decimals, result; of "
+          "files file")
+      ->type_name("NAME=VALUE");
+  command
+      .add_option_function<std::string>(
+          "--variant",
+          [&](const std::string& variant) {
+            arguments.engine = variant == "published" ? "inters" : "lar";
+          },
+          "Short for --engine: repaired is lar, published is inters")
+      ->check(CLI::IsMember({"repaired", "published"}).description(""))
       ->type_name("VARIANT")
-      ->excludes("--against");
+      ->excludes("--against")
+      ->excludes(engine);
   command
       .add_option("--result", arguments.result,
-                  "Of the published variant: larFromLines (the default), allComponents (the faces "
-                  "of all components) or cells (of cycles, with holes)")
-      ->transform(CLI::CheckedTransformer(results).description(""))
+                  "Of inters: larFromLines (the default), allComponents (the faces of all "
+                  "components) or cells (of cycles, with holes)")
       ->type_name("RESULT");
   command
       .add_option("--decimals", arguments.decimals,
-                  "Decimals of the published variant's coordinates and parameters [default: 4]")
-      ->check(integer(0))
+                  "Of inters: decimals of coordinates and parameters [default: 4]")
       ->type_name("N");
   CLI::Option* unit_square =
       command.add_flag("--unit-square", arguments.unit_square,
                        "Map the drawing to the unit square first, y upwards, as published for SVG");
   command
       .add_flag("--svg2lines", arguments.with_svg2lines,
-                "Also find what the published svg2lines would misread of an .svg file")
+                "Of inters: also find what its svg2lines would misread of an .svg file")
       ->excludes(unit_square);
 }
 
@@ -63,10 +85,9 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
   command
       .add_option(
           "--radius", arguments.radius,
-          "Float LAR merges vertices no further apart than this, in drawing units "
+          "The engine merges vertices no further apart than this, in drawing units "
           "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate; "
-          "of the published variant 0.001]")
-      ->check(finite())
+          "of inters 0.001]")
       ->type_name("R");
   command
       .add_option(
@@ -99,7 +120,7 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
                   "Write the findings as points to a GeoJSON file, for QGIS and OGR")
       ->type_name("FILE");
   add_advice(command, arguments);
-  add_variant_options(command, arguments);
+  add_engine_options(command, arguments);
 }
 
 }  // namespace
@@ -112,6 +133,7 @@ CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments) {
       "          plumbline arrange plan.svg --safe --decimals 3 -o plan.json\n"
       "          plumbline arrange plan.lines --certify plan.certificate");
   add_drawing(*command, arguments);
+  add_old_engine(*command, arguments);
   CLI::Option* output =
       command
           ->add_option("-o,--output", arguments.output,
@@ -143,6 +165,7 @@ CLI::App* add_command(CLI::App& app, InfoArguments& arguments) {
       "Examples: plumbline info plan.svg --ladder --plot ladder.svg\n"
       "          plumbline info plan.svg --diagnose --within 0.5 --picture defects.svg");
   add_drawing(*command, arguments);
+  add_old_engine(*command, arguments);
   command->add_flag("--ladder", arguments.ladder,
                     "The tolerance ladder: at which radii merging within the radius would give "
                     "other numbers of vertices, edges or faces");

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "cli/commands.hpp"
@@ -26,24 +24,6 @@ std::string point_text(const std::vector<Number>& coordinates) {
   return text;
 }
 
-/// The categories that there are, for who asked for another.
-std::string categories(const Structure& structure) {
-  std::set<std::string> names;
-  for (const Struct& s : structure.structs) names.insert(s.category);
-  names.erase("");
-  if (names.empty()) return "there are none";
-  return fmt::format("there are {}", fmt::join(names, ", "));
-}
-
-Structure only(const Structure& structure, const std::string& category) {
-  const auto is_of = [&](const Struct& s) { return s.category == category; };
-  if (std::none_of(structure.structs.begin(), structure.structs.end(), is_of)) {
-    throw Error(ErrorCode::BadInput, "no structure of this category; " + categories(structure), {},
-                category);
-  }
-  return filter(structure, category);
-}
-
 void print_structure(const Structure& structure) {
   const auto is_model = [](const Struct::Item& item) {
     return std::holds_alternative<Model>(item) || std::holds_alternative<LarModel>(item);
@@ -63,37 +43,6 @@ void print_structure(const Structure& structure) {
 void print_model(const LarModel& model) {
   fmt::print("vertices     {}\n", model.vertex_count());
   for (const Cells& cells : model.cells) fmt::print("cells        {}\n", cells.size());
-}
-
-/// A structure of one model.
-Structure structure_of(LarModel model, bool y_up) {
-  Structure structure;
-  structure.y_up = y_up;
-  structure.structs.push_back({"", "", {std::move(model)}});
-  structure.root = StructId(0);
-  return structure;
-}
-
-/// The boundary of the chain of all cells; in the plane by the sides of its polygons, elsewhere by
-/// the facets that its cells hold.
-LarModel boundary(const LarModel& model) {
-  if (model.dimension == 2) return polygon_boundary(model);
-  if (model.cells.size() < 2) {
-    throw Error(ErrorCode::BadInput, "the boundary of cells without facets, (V, CV), is not known");
-  }
-  return boundary_model(model);
-}
-
-/// The structure as lines of the plane; one of space in an oblique view, (x + y/2, z + y/4).
-SegmentSet drawn(const Structure& structure) {
-  constexpr std::size_t kSpace = 3;
-  if (dimension(structure) != kSpace) return evaluate(structure);
-  Affine view(kSpace);
-  view(0, 1) = Number(Rational(1, 2));
-  view(1, 1) = Number(Rational(1, 4));
-  view(1, 2) = Number(Rational(1));
-  LarModel model = struct_to_lar(structure, {std::nullopt, true});
-  return evaluate(structure_of(embed(apply(view, std::move(model)), -1), structure.y_up));
 }
 
 }  // namespace
@@ -118,7 +67,7 @@ ExitCode run(const EvalArguments& arguments) {
   LarModel model = struct_to_lar(
       structure, {arguments.decimals, arguments.merge_cells, arguments.reading.max_segments});
   if (arguments.boundary) {
-    model = boundary(model);
+    model = boundary_of_all(model);
     structure = structure_of(model, structure.y_up);
   }
   print_model(model);

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
-#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
@@ -16,33 +13,11 @@
 namespace plumbline::cli {
 namespace {
 
-/// Per segment, the first segment with the same ends, in either direction.
-std::vector<SegmentId> representatives(const SegmentSet& input) {
-  std::map<std::pair<Point, Point>, SegmentId> first;
-  std::vector<SegmentId> result;
-  for (std::size_t s = 0; s < input.segments.size(); ++s) {
-    const Segment segment = input.segments[s];
-    const auto& [low, high] = std::minmax(segment.a, segment.b);
-    result.push_back(first.try_emplace({low, high}, SegmentId(s)).first->second);
-  }
-  return result;
-}
-
 void print_repetitions(const Drawing& drawing) {
-  const std::vector<SegmentId> first = representatives(drawing.input);
-  std::size_t duplicates = 0;
-  for (std::size_t s = 0; s < first.size(); ++s) duplicates += first[s] != SegmentId(s) ? 1 : 0;
-  std::set<std::pair<SegmentId, SegmentId>> overlaps;
-  for (std::size_t e = 0; e < drawing.complex.edge_count(); ++e) {
-    std::set<SegmentId> distinct;
-    for (const SegmentId s : drawing.complex.edge_sources[e]) distinct.insert(first[s]);
-    for (auto s = distinct.begin(); s != distinct.end(); ++s) {
-      for (auto t = std::next(s); t != distinct.end(); ++t) overlaps.emplace(*s, *t);
-    }
-  }
-  fmt::print("duplicates   {} segments repeat an earlier one\n", duplicates);
+  const Repetitions found = repetitions(drawing.input, drawing.complex);
+  fmt::print("duplicates   {} segments repeat an earlier one\n", found.duplicates);
   fmt::print("overlaps     {} pairs of different segments share more than a point\n",
-             overlaps.size());
+             found.overlaps);
 }
 
 void print_extent(const ExactComplex& complex) {
@@ -75,8 +50,8 @@ void print_features(const ExactComplex& complex) {
 
 void print_ladder(const ExactComplex& complex, const std::optional<std::string>& plot) {
   const ToleranceLadder ladder = tolerance_ladder(complex);
-  fmt::print("{}", ladder_text(ladder, complex));
-  if (plot) write_file(*plot, ladder_svg(ladder));
+  fmt::print("{}", to_text(ladder, complex));
+  if (plot) write_file(*plot, to_svg(ladder));
 }
 
 void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments) {
@@ -84,10 +59,10 @@ void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments) {
     const Progress progress("diagnosing");
     return diagnose(drawing.input, drawing.complex, {arguments.within});
   }();
-  if (arguments.output) write_file(*arguments.output, report_json(diagnosis, drawing.input));
+  if (arguments.output) write_file(*arguments.output, to_json(diagnosis, drawing.input));
   if (arguments.picture)
-    write_file(*arguments.picture, report_svg(diagnosis, drawing.input, drawing.complex));
-  fmt::print("\n{}", report_text(diagnosis, drawing.input));
+    write_file(*arguments.picture, to_svg(diagnosis, drawing.input, drawing.complex));
+  fmt::print("\n{}", to_text(diagnosis, drawing.input));
 }
 
 }  // namespace

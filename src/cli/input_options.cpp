@@ -111,19 +111,48 @@ void add_threads(CLI::App& command, std::size_t& threads) {
       ->type_name("N");
 }
 
+ExactEngine exact_engine(const std::string& name) {
+  return name == "cgal" ? ExactEngine::Cgal : ExactEngine::Bucket;
+}
+
+void add_exact_engine(CLI::App& command, DrawingArguments& arguments) {
+  command
+      .add_option_function<std::string>(
+          "--exact-engine",
+          [&](const std::string& name) { arguments.exact_engine = exact_engine(name); },
+          "Arrange with bucket (the default) or cgal (the reference, slower)")
+      ->check(CLI::IsMember({"cgal", "bucket"}))
+      ->type_name("NAME");
+  command.add_flag("--both-engines", arguments.both_engines, "Arrange with both and compare");
+  command
+      .add_flag_callback(
+          "--verify",
+          [&] {
+            arguments.both_engines = true;
+            arguments.notes.emplace_back(
+                "--verify is --both-engines now; plumbline-verify verifies certificates");
+          },
+          "")
+      ->group("");
+}
+
 void add_drawing(CLI::App& command, DrawingArguments& arguments) {
   add_input(command, arguments);
+  add_exact_engine(command, arguments);
+  add_threads(command, arguments.threads);
+}
+
+void add_old_engine(CLI::App& command, DrawingArguments& arguments) {
   command
       .add_option_function<std::string>(
           "--engine",
-          [&](const std::string& engine) {
-            arguments.engine = engine == "cgal" ? Engine::Cgal : Engine::Bucket;
+          [&](const std::string& name) {
+            arguments.exact_engine = exact_engine(name);
+            arguments.notes.push_back("--engine is --exact-engine now");
           },
-          "Arrange with bucket (the default) or cgal (the reference, slower)")
+          "")
       ->check(CLI::IsMember({"cgal", "bucket"}))
-      ->type_name("ENGINE");
-  add_threads(command, arguments.threads);
-  command.add_flag("--verify", arguments.verify, "Arrange with both engines and compare");
+      ->group("");
 }
 
 }  // namespace plumbline::cli

@@ -10,8 +10,6 @@
 namespace plumbline::cli {
 namespace {
 
-namespace published = lar::published;
-
 std::string plural(std::size_t n, const char* noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
@@ -25,7 +23,7 @@ std::string sizes(std::span<const std::size_t> edges_of_components) {
                      shown.size() < edges_of_components.size() ? ", ..." : "");
 }
 
-void print(const published::Trace& trace) {
+void print(const inters::Trace& trace) {
   fmt::print("variant      published: {} decimals, radius {}\n", trace.options.decimals,
              shortest_text(trace.options.radius));
   fmt::print("lines        {}, {}\n", plural(trace.lines.size(), "segment"),
@@ -37,14 +35,14 @@ void print(const published::Trace& trace) {
   fmt::print("biconnected  {}; {} in no cycle\n", sizes(edges),
              plural(trace.bridges.size(), "edge"));
   if (trace.lar_from_lines) {
-    const published::Model& model = *trace.lar_from_lines;
+    const inters::Model& model = *trace.lar_from_lines;
     fmt::print("larFromLines {} vertices, {} edges, {} faces{}\n", model.vertices.size(),
                model.edges.size(), model.faces.size(),
                trace.largest->aborted ? ", the rest missing: the walk aborted" : "");
   } else {
     fmt::print("larFromLines none\n");
   }
-  for (const published::Failure& failure : trace.failures) {
+  for (const inters::Failure& failure : trace.failures) {
     fmt::print("failed       {}: {} in {}: {}\n", failure.stage, failure.error, failure.function,
                failure.message);
   }
@@ -74,7 +72,7 @@ void print(const lar::Result& result) {
 }
 
 /// Whether the published pipeline has an answer, which may be that there is no face.
-bool has_result(const published::Trace& trace) {
+bool has_result(const inters::Trace& trace) {
   return trace.lar_from_lines || (trace.components.empty() && !trace.bridges.empty());
 }
 
@@ -90,16 +88,15 @@ void write_outputs(const LarArguments& arguments, const SegmentSet& input, const
 }
 
 ExitCode run_published(const LarArguments& arguments, const SegmentSet& input) {
-  published::Options options;
-  options.decimals = arguments.decimals.value_or(published::kDecimals);
-  options.radius = arguments.radius.value_or(published::kRadius);
+  inters::Options options;
+  options.decimals = arguments.decimals.value_or(inters::kDecimals);
+  options.radius = arguments.radius.value_or(inters::kRadius);
   options.threads = arguments.threads;
-  const published::Trace trace = [&] {
+  const inters::Trace trace = [&] {
     const Progress progress("running the published float LAR pipeline");
-    return published::run(arguments.unit_square
-                              ? published::lines_on_unit_square(input, options.decimals)
-                              : published::lines(input),
-                          options);
+    return inters::run(arguments.unit_square ? inters::lines_on_unit_square(input, options.decimals)
+                                             : inters::lines(input),
+                       options);
   }();
   write_outputs(arguments, input, trace);
   if (has_result(trace)) return kAgree;

@@ -28,6 +28,7 @@ ExitCode parse_and_run(const std::vector<std::string>& arguments) {
     return told->is_error ? kBadInput : kAgree;
   }
   const auto run_watched = [](const auto& command) {
+    for (const std::string& note : command.notes) fmt::print(stderr, "plumbline: {}\n", note);
     const Watchdog watchdog(command.limits);
     const ExitCode code = run(command);
     flush_output();

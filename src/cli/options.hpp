@@ -22,6 +22,8 @@ CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
 void add_input(CLI::App& command, InputArguments& arguments, const char* file = nullptr);
 /// The same, and how it is arranged.
 void add_drawing(CLI::App& command, DrawingArguments& arguments);
+/// The old name of --exact-engine, for commands where it means nothing else.
+void add_old_engine(CLI::App& command, DrawingArguments& arguments);
 void add_limits(CLI::App& command, Limits& limits);
 /// Lets only integers of 64 bits pass, from the least on. CLI11 takes nothing for 0 and lets
 /// negative ones overflow.
@@ -29,5 +31,7 @@ CLI::Validator integer(std::int64_t least = std::numeric_limits<std::int64_t>::m
 /// Lets only finite numbers pass.
 CLI::Validator finite();
 void add_threads(CLI::App& command, std::size_t& threads);
+/// "bucket" or "cgal".
+ExactEngine exact_engine(const std::string& name);
 
 }  // namespace plumbline::cli

@@ -6,6 +6,7 @@
 
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "plumbline/write.hpp"
 
 namespace plumbline::cli {
 namespace {

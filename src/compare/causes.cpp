@@ -6,7 +6,7 @@
 
 #include "compare/steps.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 // More numbers than this do not help a reader.
 constexpr std::size_t kMaxCauses = 4;
@@ -27,4 +27,4 @@ void add_causes(Finding& finding, Numbers numbers) {
   finding.because = std::move(numbers);
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <unordered_set>
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 /// Some hundred roundings of the numbers in `is_surely_far`, whose products have few.
@@ -94,4 +94,4 @@ std::vector<HalfedgeId> chain_along(const Sides& sides, Side side, VertexId p, V
   return Search(sides, side, q, ab, is_usable, steps).from(p);
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

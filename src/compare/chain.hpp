@@ -4,7 +4,7 @@
 
 #include "compare/sides.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 /// A walk on one side from vertex p to vertex q whose vertices in between lie within the tolerance
 /// of the segment ab and advance along it, over edges for which `is_usable` is set. Empty if there
@@ -17,7 +17,7 @@ std::vector<HalfedgeId> chain_along(const Sides& sides, Side side, VertexId p, V
                                     std::size_t& steps);
 
 inline constexpr std::size_t kMaxDeadEnds = 32;
-/// Steps that all chains of a cross-check together may take: per edge of both sides, and at least.
+/// Steps that all chains of a comparison together may take: per edge of both sides, and at least.
 inline constexpr std::size_t kStepsPerEdge = 8, kLeastSteps = 20'000;
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

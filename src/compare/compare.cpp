@@ -1,4 +1,4 @@
-// The cross-check: validity of the float result by itself, then the correspondence, step by step.
+// The comparison: validity of the float result by itself, then the correspondence, step by step.
 
 #include "plumbline/compare.hpp"
 
@@ -26,15 +26,16 @@ ExactComplex exact_in_order(const FloatComplex& complex) {
 
 }  // namespace
 
-Crosscheck crosscheck(const ExactComplex& exact_complex, const FloatComplex& float_complex,
-                      double tolerance) {
-  return crosscheck(exact_complex, exact_in_order(float_complex), tolerance);
+Comparison compare(const ExactComplex& exact_complex, const FloatComplex& float_complex,
+                   double tolerance) {
+  return compare(exact_complex, exact_in_order(float_complex), tolerance);
 }
 
-Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& other_complex,
-                      double tolerance, Compared compared) {
-  const matching::Sides sides = matching::make_sides(exact_complex, other_complex, tolerance);
-  Crosscheck result;
+Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_complex,
+                   double tolerance, Compared compared) {
+  const compare_steps::Sides sides =
+      compare_steps::make_sides(exact_complex, other_complex, tolerance);
+  Comparison result;
   result.tolerance = tolerance;
   result.compared = compared;
   result.exact_counts = counts(exact_complex, exact_complex.vertices.size());
@@ -44,23 +45,23 @@ Crosscheck crosscheck(const ExactComplex& exact_complex, const ExactComplex& oth
   };
   const auto next_number = [&] { return result.findings.size() + 1; };
 
-  append(matching::invalidities(sides, compared));
+  append(compare_steps::invalidities(sides, compared));
   result.float_valid = result.findings.empty();
-  if (compared == Compared::All) append(matching::miscoverings(sides, result.findings));
-  const matching::VertexMatch vertices = matching::match_vertices(sides, next_number());
+  if (compared == Compared::All) append(compare_steps::miscoverings(sides, result.findings));
+  const compare_steps::VertexMatch vertices = compare_steps::match_vertices(sides, next_number());
   append(vertices.findings);
-  const matching::EdgeMatch edges = matching::match_edges(sides, vertices, next_number());
+  const compare_steps::EdgeMatch edges = compare_steps::match_edges(sides, vertices, next_number());
   append(edges.findings);
-  result.matched_vertices = matched(vertices.match[matching::Exact]) - vertices.moved_count;
-  result.matched_edges = matched(edges.match[matching::Exact]);
+  result.matched_vertices = matched(vertices.match[compare_steps::Exact]) - vertices.moved_count;
+  result.matched_edges = matched(edges.match[compare_steps::Exact]);
   result.largest_displacement = nearest_sqrt(vertices.largest_squared);
   if (compared == Compared::Graph) return result;
 
-  const matching::CycleMatch cycles = matching::match_cycles(sides, edges);
-  const matching::FaceMatch faces =
-      matching::match_faces(sides, vertices, edges, cycles, result.float_valid);
+  const compare_steps::CycleMatch cycles = compare_steps::match_cycles(sides, edges);
+  const compare_steps::FaceMatch faces =
+      compare_steps::match_faces(sides, vertices, edges, cycles, result.float_valid);
   append(faces.findings);
-  append(matching::nesting(sides, vertices, edges, cycles, faces));
+  append(compare_steps::nesting(sides, vertices, edges, cycles, faces));
   result.matched_faces = faces.same;
   return result;
 }

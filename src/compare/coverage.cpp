@@ -11,7 +11,7 @@
 #include "compare/steps.hpp"
 #include "compare/winding.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 /// Neighbouring faces of the overlay with the same windings.
@@ -100,7 +100,7 @@ std::vector<Finding> miscoverings(const Sides& sides, const std::vector<Finding>
   std::vector<BoundaryPiece> pieces;
   for (std::size_t f = 0; f < sides[Float].face_count(); ++f)
     add_boundary(pieces, sides[Float], FaceId(f), f);
-  std::optional<Overlaid> overlaid = matching::overlaid(pieces, {{kUnbounded, 1}});
+  std::optional<Overlaid> overlaid = compare_steps::overlaid(pieces, {{kUnbounded, 1}});
   if (!overlaid) return {};
   for (Windings& windings : overlaid->windings) let_bounded_prevail(windings);
   Numbers number(sides[Float].edge_count());
@@ -138,4 +138,4 @@ std::vector<Finding> miscoverings(const Sides& sides, const std::vector<Finding>
   return findings;
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

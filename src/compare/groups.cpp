@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 std::size_t root(std::vector<std::size_t>& parent, std::size_t i) {
@@ -43,4 +43,4 @@ std::vector<Group> connected_groups(
   return groups;
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -5,7 +5,7 @@
 
 #include "compare/sides.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 /// Cells of both sides that correspond, directly or through others.
 using Group = Both<std::vector<std::size_t>>;
@@ -17,4 +17,4 @@ std::vector<Group> connected_groups(
     const Both<std::vector<std::size_t>>& cells,
     const std::vector<std::pair<std::size_t, std::size_t>>& relation);
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 /// Two signed units in the last place of the largest coordinate, times a dozen operations: bounds
@@ -138,4 +138,4 @@ std::vector<FaceId> locate_all(const ExactComplex& complex, const std::vector<Po
   return result;
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -4,7 +4,7 @@
 
 #include "compare/steps.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 using Walk = std::vector<HalfedgeId>;
@@ -62,4 +62,4 @@ CycleMatch match_cycles(const Sides& sides, const EdgeMatch& edges) {
   return result;
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -8,7 +8,7 @@
 #include "compare/chain.hpp"
 #include "compare/steps.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 using Walk = std::vector<HalfedgeId>;
@@ -259,4 +259,4 @@ EdgeMatch match_edges(const Sides& sides, const VertexMatch& vertices, std::size
   return EdgeMatcher(sides, vertices, first_number).run();
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -9,7 +9,7 @@
 #include "compare/steps.hpp"
 #include "plumbline/error.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -277,4 +277,4 @@ FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const Edg
   return FaceMatcher(sides, vertices, edges, cycles, float_is_valid).run();
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

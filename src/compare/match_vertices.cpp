@@ -9,7 +9,7 @@
 #include "compare/sole_neighbours.hpp"
 #include "compare/steps.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 struct Candidate {
@@ -221,4 +221,4 @@ VertexMatch match_vertices(const Sides& sides, std::size_t first_number) {
   return result;
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 using VertexPair = std::pair<VertexId, VertexId>;  // exact, float
@@ -164,4 +164,4 @@ std::vector<VertexPair> moved_vertices(const Sides& sides,
   return Search(sides, match).run();
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -2,7 +2,7 @@
 
 #include "compare/steps.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 /// Pairs of vertices without a match that correspond all the same, by what they are joined to: the
 /// exact one and the float one have the same degree, are the only ones that are joined to those
@@ -13,4 +13,4 @@ namespace plumbline::matching {
 std::vector<std::pair<VertexId, VertexId>> moved_vertices(const Sides& sides,
                                                           const Both<std::vector<VertexId>>& match);
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

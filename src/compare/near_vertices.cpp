@@ -7,7 +7,7 @@
 #include <limits>
 #include <nanoflann.hpp>
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 // Proposals for the nearest vertex: rounding can disturb the order of those that coincide in
@@ -115,4 +115,4 @@ std::optional<Near> NearVertices::nearest_to(const Point& p) const {
   return found.front();
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

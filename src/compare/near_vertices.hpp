@@ -7,7 +7,7 @@
 #include "geometry/filtered_points.hpp"
 #include "plumbline/complex.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 /// A vertex and its exact squared distance from the point asked for.
 struct Near {
@@ -44,4 +44,4 @@ class NearVertices {
   mutable std::unique_ptr<Tree> tree_;  ///< made when first asked for
 };
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

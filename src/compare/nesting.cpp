@@ -6,7 +6,7 @@
 
 #include "compare/steps.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 class NestingCheck {
@@ -185,4 +185,4 @@ std::vector<Finding> nesting(const Sides& sides, const VertexMatch& vertices,
   return NestingCheck(sides, vertices, edges, cycles, faces).run();
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

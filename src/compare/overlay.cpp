@@ -7,7 +7,7 @@
 
 #include "compare/winding.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 std::optional<std::vector<Region>> overlay(const Sides& sides,
                                            const Both<std::vector<std::size_t>>& faces) {
@@ -15,7 +15,7 @@ std::optional<std::vector<Region>> overlay(const Sides& sides,
   for (const Side side : kBothSides)
     for (const std::size_t f : faces[side])
       add_boundary(pieces, sides[side], FaceId(f), 2 * f + side);
-  const std::optional<Overlaid> overlaid = matching::overlaid(pieces, {});
+  const std::optional<Overlaid> overlaid = compare_steps::overlaid(pieces, {});
   if (!overlaid) return std::nullopt;
   const std::vector<Rational> areas = face_areas(overlaid->complex);
   std::vector<Region> regions;
@@ -95,4 +95,4 @@ Rational Overlaps::symmetric_difference(const Both<std::vector<std::size_t>>& fa
   return area;
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

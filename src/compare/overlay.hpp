@@ -2,7 +2,7 @@
 
 #include "compare/sides.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 /// A part of the plane and which of the overlaid faces cover it, on each side, ascending.
 struct Region {
@@ -35,4 +35,4 @@ class Overlaps {
   Both<std::vector<std::pair<std::size_t, std::size_t>>> region_of_face_;  ///< sorted
 };
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

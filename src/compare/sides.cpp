@@ -9,7 +9,7 @@
 
 #include "plumbline/error.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 Lists<HalfedgeId> outgoing_halfedges(const ExactComplex& complex) {
@@ -101,4 +101,4 @@ std::string counted(std::size_t n, const std::string& singular, const std::strin
   return n == 1 ? singular : fmt::format("{} {}", n, plural);
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

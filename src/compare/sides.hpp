@@ -10,7 +10,7 @@
 #include "geometry/filtered_points.hpp"
 #include "plumbline/compare.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 /// The two complexes are treated alike: what is Missing on one side is Extra on the other, what is
 /// Merged is Split.
@@ -68,4 +68,4 @@ double length(const Rational& squared);
 std::string rough(double value);
 std::string counted(std::size_t n, const std::string& singular, const std::string& plural);
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 /// A strip with more points than this is left to a search tree.
@@ -59,4 +59,4 @@ std::vector<SolePair> sole_pairs(const FilteredPoints& points, const FilteredPoi
   return result;
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

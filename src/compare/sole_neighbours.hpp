@@ -4,7 +4,7 @@
 
 #include "geometry/filtered_points.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 /// A pair of points, one of each list, of which each is the only one of its list that can lie
 /// within the tolerance of the other. `distance` is off by at most `slack` of both lists.
@@ -22,4 +22,4 @@ double distance_slack(const FilteredPoints& points, const FilteredPoints& others
 std::vector<SolePair> sole_pairs(const FilteredPoints& points, const FilteredPoints& others,
                                  double tolerance);
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -5,10 +5,10 @@
 #include "compare/groups.hpp"
 #include "compare/sides.hpp"
 
-// The steps of the cross-check, in order. Each gives its correspondence and its findings. Findings
+// The steps of the comparison, in order. Each gives its correspondence and its findings. Findings
 // of vertices and edges are numbered on from `first_number`, so that later steps can name them as
 // causes.
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 /// Numbers of findings by cell; 0: the cell is in no finding.
 using Numbers = std::vector<std::size_t>;
@@ -88,4 +88,4 @@ std::vector<Finding> nesting(const Sides& sides, const VertexMatch& vertices,
 /// finding: its message ends in ", because of findings 3 and 7".
 void add_causes(Finding& finding, Numbers numbers);
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -7,7 +7,7 @@
 
 #include "compare/steps.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 template <class Id>
@@ -54,4 +54,4 @@ std::vector<Finding> invalidities(const Sides& sides, Compared compared) {
   return findings;
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -7,7 +7,7 @@
 
 #include "plumbline/arrange.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 namespace {
 
 /// Sorted by label, each label once, without zeros.
@@ -114,4 +114,4 @@ std::optional<Overlaid> overlaid(const std::vector<BoundaryPiece>& pieces, Windi
   return result;
 }
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

@@ -6,7 +6,7 @@
 
 #include "plumbline/complex.hpp"
 
-namespace plumbline::matching {
+namespace plumbline::compare_steps {
 
 /// Labels and how often each winds around a place, ascending by label; those that wind 0 times are
 /// left out.
@@ -37,4 +37,4 @@ struct Overlaid {
 inline constexpr std::size_t kMostTinyPieces = 2000;
 std::optional<Overlaid> overlaid(const std::vector<BoundaryPiece>& pieces, Windings outside);
 
-}  // namespace plumbline::matching
+}  // namespace plumbline::compare_steps

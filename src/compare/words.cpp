@@ -1,7 +1,5 @@
 // The names of what findings say.
 
-#include <array>
-
 #include "plumbline/compare.hpp"
 
 namespace plumbline {
@@ -20,14 +18,6 @@ std::string to_text(CellKind kind) {
       break;
   }
   return "complex";
-}
-
-std::string to_text(Stage stage) {
-  static constexpr std::array kNames = {
-      "parse",     "transform",  "quantise", "bucket",           "intersect",
-      "order",     "prune",      "simplify", "component filter", "edge order",
-      "face walk", "outer face", "nesting",  "foreign"};
-  return kNames.at(static_cast<std::size_t>(stage));
 }
 
 std::string to_text(Disagreement disagreement) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumbline::checking {
+namespace plumbline::compare_steps {
 namespace {
 
 /// In tolerances.
@@ -27,12 +27,12 @@ std::size_t cell_count(const ExactComplex& complex, CellKind kind) {
 
 }  // namespace
 
-WrongCells::WrongCells(const Crosscheck& crosscheck, const ExactComplex& exact_complex)
-    : crosscheck_(crosscheck) {
+WrongCells::WrongCells(const Comparison& comparison, const ExactComplex& exact_complex)
+    : comparison_(comparison) {
   for (std::size_t kind = 0; kind < kKinds; ++kind)
     by_cell_[kind].resize(cell_count(exact_complex, static_cast<CellKind>(kind)));
-  for (std::size_t i = 0; i < crosscheck.findings.size(); ++i) {
-    const Finding& finding = crosscheck.findings[i];
+  for (std::size_t i = 0; i < comparison.findings.size(); ++i) {
+    const Finding& finding = comparison.findings[i];
     if (finding.disagreement == Disagreement::Invalid) continue;
     const auto kind = static_cast<std::size_t>(finding.kind);
     for (const std::size_t cell : finding.exact_cells)
@@ -43,28 +43,27 @@ WrongCells::WrongCells(const Crosscheck& crosscheck, const ExactComplex& exact_c
   for (auto& list : by_segment_) std::sort(list.begin(), list.end());
 }
 
-const Finding* WrongCells::same(const Finding& finding) const {
+std::optional<std::size_t> WrongCells::same(const Finding& finding) const {
   const auto kind = static_cast<std::size_t>(finding.kind);
   for (const std::size_t cell : finding.exact_cells)
-    if (by_cell_[kind][cell] != 0) return &crosscheck_.findings[by_cell_[kind][cell] - 1];
-  if (!finding.exact_cells.empty()) return nullptr;
+    if (by_cell_[kind][cell] != 0) return by_cell_[kind][cell] - 1;
+  if (!finding.exact_cells.empty()) return std::nullopt;
   const auto& list = by_segment_[kind];
   for (const SegmentId s : finding.segments)
     for (auto it = std::lower_bound(list.begin(), list.end(), std::pair(s, std::size_t{0}));
          it != list.end() && it->first == s; ++it)
-      if (const Finding& other = crosscheck_.findings[it->second]; is_near(finding, other))
-        return &other;
-  return nullptr;
+      if (is_near(finding, comparison_.findings[it->second])) return it->second;
+  return std::nullopt;
 }
 
 /// Vertices that only the float side has may lie on the same segment and be two: not if they are
 /// within what stages move them.
 bool WrongCells::is_near(const Finding& finding, const Finding& other) const {
-  if (finding.kind != CellKind::Vertex || crosscheck_.tolerance == 0) return true;
+  if (finding.kind != CellKind::Vertex || comparison_.tolerance == 0) return true;
   const PointD a = nearest(finding.where), b = nearest(other.where);
-  return std::hypot(a.x - b.x, a.y - b.y) <= kReach * crosscheck_.tolerance;
+  return std::hypot(a.x - b.x, a.y - b.y) <= kReach * comparison_.tolerance;
 }
 
-bool WrongCells::has(const Finding& finding) const { return same(finding) != nullptr; }
+bool WrongCells::has(const Finding& finding) const { return same(finding).has_value(); }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::compare_steps

@@ -6,7 +6,7 @@
 
 #include "diagnose/steps.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 // Squared sine of the largest angle.
@@ -99,4 +99,4 @@ class Angles {
 
 Defects nearly_parallel_edges(const Work& work) { return Angles(work).find(); }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

@@ -4,7 +4,7 @@
 
 #include "diagnose/steps.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 /// Per edge, whether it is part of a tree that dangles (the dangles of the JTS polygonizer).
@@ -67,4 +67,4 @@ Defects bridges(const Work& work) {
   return result;
 }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

@@ -4,7 +4,7 @@
 
 #include "diagnose/steps.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 Defect near_end(const Work& work, const Tip& tip) {
@@ -78,4 +78,4 @@ Defects dangling_lines(const Work& work, const Tips& tips) {
   return result;
 }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

@@ -4,7 +4,7 @@
 
 #include "diagnose/steps.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 bool is_longest_first(DefectKind kind) {
@@ -76,4 +76,4 @@ std::vector<double> Defects::proposed_tolerances() const {
 
 Point midpoint(const Point& p, const Point& q) { return {(p.x + q.x) / 2, (p.y + q.y) / 2}; }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

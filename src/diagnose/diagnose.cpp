@@ -13,8 +13,8 @@
 namespace plumbline {
 namespace {
 
-using diagnosing::Defects;
-using diagnosing::LineGraph;
+using diagnose_steps::Defects;
+using diagnose_steps::LineGraph;
 
 /// A search distance of the longer side / kDefaultPart: as float LAR's radius.
 constexpr int kDefaultPart = 1000;
@@ -85,24 +85,24 @@ Diagnosis diagnose(const SegmentSet& input, const ExactComplex& complex,
   Diagnosis result;
   result.within = options.within ? *options.within : default_distance(complex);
   const LineGraph graph(complex);
-  const diagnosing::NearEdges near(graph, result.within);
-  const diagnosing::Work work{
+  const diagnose_steps::NearEdges near(graph, result.within);
+  const diagnose_steps::Work work{
       input, graph, near, result.within, result.within * result.within, options.most_listed};
-  const diagnosing::Tips tips = diagnosing::classify_tips(work);
-  Defects defects = diagnosing::duplicates_and_overlaps(work);
-  defects.append(diagnosing::dangling_lines(work, tips));
-  defects.append(diagnosing::near_misses(work, tips));
-  defects.append(diagnosing::bridges(work));
-  defects.append(diagnosing::slivers(work));
-  defects.append(diagnosing::short_edges(work));
-  defects.append(diagnosing::nearly_parallel_edges(work));
+  const diagnose_steps::Tips tips = diagnose_steps::classify_tips(work);
+  Defects defects = diagnose_steps::duplicates_and_overlaps(work);
+  defects.append(diagnose_steps::dangling_lines(work, tips));
+  defects.append(diagnose_steps::near_misses(work, tips));
+  defects.append(diagnose_steps::bridges(work));
+  defects.append(diagnose_steps::slivers(work));
+  defects.append(diagnose_steps::short_edges(work));
+  defects.append(diagnose_steps::nearly_parallel_edges(work));
   result.found = defects.found();
   result.cut_short = defects.cut_short();
   result.tips = tips.tips.size();
   result.squared_detail = shortest_detail(graph, defects.accidents());
   result.tolerances = effects(defects.proposed_tolerances(), result.squared_detail);
   result.defects = defects.take_listed();
-  for (Defect& defect : result.defects) defect.message = diagnosing::describe(work, defect);
+  for (Defect& defect : result.defects) defect.message = diagnose_steps::describe(work, defect);
   return result;
 }
 

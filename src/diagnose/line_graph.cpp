@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 // Coordinates are off by half a unit in the last place of the largest, 2^-53 of it. A distance of a
@@ -87,4 +87,4 @@ std::vector<SegmentId> LineGraph::segments(std::span<const EdgeId> edges) const 
   return result;
 }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

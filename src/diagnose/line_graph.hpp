@@ -6,7 +6,7 @@
 #include "diagnose/roots.hpp"
 #include "plumbline/complex.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 
 /// A path of edges, each starting where the one before it ends.
 struct Chain {
@@ -56,4 +56,4 @@ class LineGraph {
   double slack_ = 0;
 };
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

@@ -5,7 +5,7 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 namespace bg = boost::geometry;
@@ -96,4 +96,4 @@ NearEdges::Answer NearEdges::near(VertexId v) const {
   return answer;
 }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

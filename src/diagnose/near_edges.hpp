@@ -5,7 +5,7 @@
 
 #include "diagnose/line_graph.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 
 /// An edge that may be near a vertex. **Rounded**: off by at most LineGraph::slack.
 struct NearEdge {
@@ -47,4 +47,4 @@ class NearEdges {
   double reach_;
 };
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

@@ -10,7 +10,7 @@
 #include "diagnose/steps.hpp"
 #include "diagnose/ways.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 // A way along the edges of at most so many times the distance explains why two places are near: two
@@ -144,4 +144,4 @@ class NearMisses {
 
 Defects near_misses(const Work& work, const Tips& tips) { return NearMisses(work, tips).find(); }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 constexpr unsigned long kFirstBits = 128;
@@ -85,4 +85,4 @@ double root_rounded_up(const Rational& square) {
   return result;
 }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

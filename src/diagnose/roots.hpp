@@ -4,7 +4,7 @@
 
 #include "plumbline/number.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 
 /// A sum of square roots of rational numbers >= 0, such as the length of a chain of edges. Such a
 /// sum is rational only if every root is, so it can always be compared with a rational number.
@@ -28,4 +28,4 @@ class Roots {
 /// The least double that is not less than the square root.
 double root_rounded_up(const Rational& square);
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

@@ -4,7 +4,7 @@
 
 #include "diagnose/steps.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 // An edge that goes on, without a branch, in one that is at most so many times as long is part of a
@@ -48,4 +48,4 @@ Defects short_edges(const Work& work) {
   return result;
 }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

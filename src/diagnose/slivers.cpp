@@ -5,7 +5,7 @@
 
 #include "diagnose/steps.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 // P^2 / (4 A), the ratio of a long rectangle's sides; 4 for a square, pi for a disc.
@@ -76,4 +76,4 @@ Defects slivers(const Work& work) {
   return result;
 }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

@@ -7,7 +7,7 @@
 #include "diagnose/near_edges.hpp"
 #include "plumbline/diagnose.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 
 /// What every step looks at.
 struct Work {
@@ -84,4 +84,4 @@ std::string describe(const Work& work, const Defect& defect);
 
 Point midpoint(const Point& p, const Point& q);
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

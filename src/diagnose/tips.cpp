@@ -4,7 +4,7 @@
 
 #include "diagnose/steps.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 namespace {
 
 struct Vector {
@@ -142,4 +142,4 @@ Tips classify_tips(const Work& work) {
   return result;
 }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 
 void Ways::find_within(double longest) {
   while (!is_thicket_ && !queue_.empty() && queue_.top().first <= longest) {
@@ -31,4 +31,4 @@ bool Ways::lead_to(EdgeId e, const PointD& p, double longest) {
   return leads(edge.tail) || leads(edge.head);
 }
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

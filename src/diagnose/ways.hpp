@@ -6,7 +6,7 @@
 
 #include "diagnose/line_graph.hpp"
 
-namespace plumbline::diagnosing {
+namespace plumbline::diagnose_steps {
 
 /// Lengths of ways along the edges from a vertex, found as far as they are asked for (Dijkstra).
 /// **Rounded**.
@@ -34,4 +34,4 @@ class Ways {
   bool is_thicket_ = false;
 };
 
-}  // namespace plumbline::diagnosing
+}  // namespace plumbline::diagnose_steps

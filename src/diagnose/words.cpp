@@ -34,7 +34,7 @@ std::string to_text(DefectKind kind) {
   return "unknown";
 }
 
-namespace diagnosing {
+namespace diagnose_steps {
 namespace {
 
 std::string number(double value) { return fmt::format("{:.6g}", value); }
@@ -88,5 +88,5 @@ std::string describe(const Work& work, const Defect& defect) {
   return "";
 }
 
-}  // namespace diagnosing
+}  // namespace diagnose_steps
 }  // namespace plumbline

@@ -1,11 +1,10 @@
-#include "engine/line_work.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/engine.hpp"
 
-namespace plumbline::checking {
+namespace plumbline {
 
 LineWork rounded(const SegmentSet& input) {
   LineWork result;
@@ -29,7 +28,7 @@ ExactComplex arrange(const LineWork& work, std::size_t threads) {
     piece_of.push_back(i);
   }
   for (const PointD& p : work.points) set.add_point(exact(p), SourceId{});
-  ExactComplex complex = plumbline::arrange(set, Engine::Bucket, {threads, {}});
+  ExactComplex complex = arrange(set, ExactEngine::Bucket, {threads, {}});
   Lists<SegmentId> sources;
   std::vector<SegmentId> ids;
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
@@ -46,4 +45,4 @@ ExactComplex arrange(const LineWork& work, std::size_t threads) {
   return complex;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline

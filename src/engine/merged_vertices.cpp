@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plumbline::checking {
+namespace plumbline::engine_steps {
 namespace {
 
 double distance(const PointD& p, const PointD& q) { return std::hypot(p.x - q.x, p.y - q.y); }
@@ -56,4 +56,4 @@ const Cluster* MergedVertices::nearest_to(const PointD& p,
   return result;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::engine_steps

@@ -6,7 +6,7 @@
 
 #include "plumbline/complex.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::engine_steps {
 
 /// Vertices that one stage merged. Lengths are **rounded**.
 struct Cluster {
@@ -31,4 +31,4 @@ class MergedVertices {
   std::vector<std::pair<SegmentId, std::size_t>> by_segment_;
 };
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::engine_steps

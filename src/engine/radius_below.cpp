@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-namespace plumbline::checking {
+namespace plumbline::engine_steps {
 namespace {
 
 /// Three digits are off by at most this part of a number.
@@ -19,4 +19,4 @@ std::string radius_below(double distance) {
   return fmt::format("a radius below {} keeps them apart", number);
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::engine_steps

@@ -12,7 +12,7 @@
 #include "plumbline/error.hpp"
 #include "round/images.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 namespace {
 
 constexpr const char* kContradiction =
@@ -134,4 +134,4 @@ std::vector<FaceId> face_origins(const Incidences& exact, const Incidences& roun
   return FaceOrigins(exact, rounded).run(vertex_image, edge_image);
 }
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

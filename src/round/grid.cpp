@@ -13,7 +13,7 @@ std::string to_text(const Grid& grid) {
   return std::to_string(*grid.decimals) + (*grid.decimals == 1 ? " decimal" : " decimals");
 }
 
-namespace rounding {
+namespace round_steps {
 namespace {
 
 Rational power_of_ten(int exponent) {
@@ -63,5 +63,5 @@ bool is_on(const Grid& grid, const Rational& coordinate) {
   return Rational(coordinate * power_of_ten(*grid.decimals)).get_den() == 1;
 }
 
-}  // namespace rounding
+}  // namespace round_steps
 }  // namespace plumbline

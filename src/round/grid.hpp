@@ -2,7 +2,7 @@
 
 #include "plumbline/round.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 
 /// The distance of neighbours on the uniform grid: 10^-N, or that of doubles at the largest
 /// absolute value of a coordinate (below the next power of two). Throws: Error BadInput.
@@ -14,4 +14,4 @@ mpz_class nearest_integer(const Rational& value);
 /// Whether the coordinate is a number of the grid.
 bool is_on(const Grid& grid, const Rational& coordinate);
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

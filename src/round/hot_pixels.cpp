@@ -7,7 +7,7 @@
 #include "round/grid.hpp"
 #include "round/pixel.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 namespace {
 
 constexpr double kExactIntegers = 0x1p53;
@@ -91,4 +91,4 @@ std::vector<VertexId> HotPixels::met_by(const Edge& edge) const {
   return met;
 }
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

@@ -6,7 +6,7 @@
 #include "plumbline/complex.hpp"
 #include "round/places.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 
 /// The hot pixels of a complex, those that a vertex lies in, and which edge meets which of them.
 /// Lengths are in spacings of the grid: centres are integers, pixels of the unit size. A KD-tree
@@ -34,4 +34,4 @@ class HotPixels {
   VertexTree tree_;  ///< of the centres
 };
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

@@ -4,7 +4,7 @@
 
 #include "plumbline/error.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 namespace {
 
 HalfedgeId find(const Incidences& complex, VertexId from, VertexId to) {
@@ -31,4 +31,4 @@ Lists<HalfedgeId> edge_images(const Incidences& rounded, const Lists<VertexId>& 
   return images;
 }
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

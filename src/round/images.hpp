@@ -2,7 +2,7 @@
 
 #include "plumbline/complex.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 
 /// Per exact edge the halfedges of the rounded complex that its chain of rounded vertices runs
 /// along. Throws: Error Internal where there is no such edge.
@@ -15,4 +15,4 @@ std::vector<FaceId> face_origins(const Incidences& exact, const Incidences& roun
                                  const std::vector<VertexId>& vertex_image,
                                  const Lists<HalfedgeId>& edge_image);
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

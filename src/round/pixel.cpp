@@ -3,7 +3,7 @@
 
 #include "round/pixel.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 namespace {
 
 struct Bound {
@@ -50,4 +50,4 @@ bool meets_pixel(const Point& a, const Point& b, const Point& centre) {
          cut(interval, a.y, b.y, centre.y - half, centre.y + half);
 }
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

@@ -4,7 +4,7 @@
 
 #include "plumbline/error.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 
 Places distinct(std::vector<Point> places) {
   Places result;
@@ -28,4 +28,4 @@ Places distinct(std::vector<Point> places) {
   return result;
 }
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

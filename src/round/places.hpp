@@ -4,7 +4,7 @@
 
 #include "plumbline/complex.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 
 /// The places that vertices are rounded to: distinct, in the order of vertices.
 struct Places {
@@ -16,4 +16,4 @@ struct Places {
 /// is monotone).
 Places distinct(std::vector<Point> places);
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

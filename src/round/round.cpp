@@ -14,7 +14,7 @@
 namespace plumbline {
 namespace {
 
-using namespace rounding;
+using namespace round_steps;
 
 /// What `validate` decides, without looking for what is wrong.
 bool is_valid(const ExactComplex& complex) {
@@ -66,7 +66,7 @@ Rounding finished(const ExactComplex& complex, const Grid& grid, Rounding roundi
   rounding.edge_image = edge_images(rounding.complex, chains);
   rounding.face_origin =
       face_origins(complex, rounding.complex, rounding.vertex_image, rounding.edge_image);
-  verify_rounding(complex, grid, rounding);
+  ensure_rounded(complex, grid, rounding);
   return rounding;
 }
 

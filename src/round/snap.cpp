@@ -9,7 +9,7 @@
 
 #include "plumbline/error.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 namespace {
 
 bool precedes(const Edge& e, const Edge& f) {
@@ -78,11 +78,11 @@ Snapped snapped(const ExactComplex& exact, const HotPixels& pixels, const Ration
     sources.push_back(covering);
   }
   const std::vector<Point> points = on_grid(pixels.places().points, spacing);
-  result.complex = arrange(drawing(points, edges), Engine::Bucket, options);
+  result.complex = arrange(drawing(points, edges), ExactEngine::Bucket, options);
   ensure(result.complex.vertices == points && result.complex.edges == edges,
          "snap rounded edges meet only at the centres of hot pixels");
   result.complex.edge_sources = std::move(sources);
   return result;
 }
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

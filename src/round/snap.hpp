@@ -3,7 +3,7 @@
 #include "plumbline/arrange.hpp"
 #include "round/hot_pixels.hpp"
 
-namespace plumbline::rounding {
+namespace plumbline::round_steps {
 
 /// The chains of centres of hot pixels as a complex, and per edge its chain. Sources are those of
 /// all exact edges. Throws: Error Internal if chains meet elsewhere than at the centres.
@@ -14,4 +14,4 @@ struct Snapped {
 Snapped snapped(const ExactComplex& exact, const HotPixels& pixels, const Rational& spacing,
                 const ArrangeOptions& options);
 
-}  // namespace plumbline::rounding
+}  // namespace plumbline::round_steps

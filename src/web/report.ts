@@ -83,7 +83,7 @@ export interface ArrayEntry {
 
 export interface Report {
   verdict: "agree" | "disagree";
-  result: string;
+  engine: { name: string; version: string; title: string };
   compared: "all" | "graph";
   float_valid: boolean;
   exact: boolean;

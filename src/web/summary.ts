@@ -3,7 +3,7 @@
 import { count, element, number, plural } from "./dom";
 import type { Drawing } from "./drawing";
 import { ComplexName, complexNames, CountName, Report } from "./report";
-import { complexTitle, resultTitle } from "./titles";
+import { complexTitle, answerTitle } from "./titles";
 
 const rows: [CountName, string][] = [
   ["vertices", "vertices"],
@@ -21,7 +21,7 @@ export function showHead(report: Report, title: HTMLElement, verdict: HTMLElemen
   const agrees = report.verdict === "agree";
   verdict.textContent = agrees ? "Agree" : `Disagree: ${plural(report.findings.length, "finding")}`;
   verdict.className = agrees ? "agree" : "disagree";
-  const parts = [resultTitle(report)];
+  const parts = [answerTitle(report)];
   if (report.compared === "graph") parts.push("vertices and edges alone are compared: the result has no faces");
   if (report.radius !== null) parts.push(`radius ${number(report.radius)}`);
   if (report.tolerance !== report.radius) parts.push(`tolerance ${number(report.tolerance)}`);

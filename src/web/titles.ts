@@ -6,7 +6,7 @@ export const complexTitle: Record<ComplexName, string> = {
   float: "float result",
 };
 
-/// The float result by its name.
-export function resultTitle(report: Report): string {
-  return report.radius === null ? report.result : `float LAR, ${report.result}`;
+/// Whose answer it is.
+export function answerTitle(report: Report): string {
+  return report.engine.title;
 }

@@ -11,16 +11,18 @@ struct Example {
   SegmentSet input = segments("0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0");
   ExactComplex exact_complex = arrange(input);
   FloatComplex float_complex = nearest(arrange(segments("0 0 4 0  4 0 0 4  0 4 0 0")));
-  Crosscheck crosscheck = plumbline::crosscheck(exact_complex, float_complex, 0.125);
+  Comparison comparison = plumbline::compare(exact_complex, float_complex, 0.125);
 
   Check checked() const {
     Check result;
     result.input = input;
     result.exact_complex = exact_complex;
-    result.float_complex = float_complex;
-    result.radius = 0.0625;
-    result.crosscheck = crosscheck;
-    result.conversion = plumbline::crosscheck(exact_complex, exact_complex, 0);
+    result.answer.complex = float_complex;
+    result.answer.engine = "lar";
+    result.answer.title = result.answer.short_title = "float LAR";
+    result.answer.radius = 0.0625;
+    result.comparison = comparison;
+    result.conversion = plumbline::compare(exact_complex, exact_complex, 0);
     return result;
   }
 };
@@ -30,16 +32,18 @@ struct Agreement {
   SegmentSet input;
   ExactComplex exact_complex = arrange(input);
   FloatComplex float_complex = nearest(exact_complex);
-  Crosscheck crosscheck = plumbline::crosscheck(exact_complex, float_complex, 0.125);
+  Comparison comparison = plumbline::compare(exact_complex, float_complex, 0.125);
 
   Check checked() const {
     Check result;
     result.input = input;
     result.exact_complex = exact_complex;
-    result.float_complex = float_complex;
-    result.radius = 0.0625;
-    result.crosscheck = crosscheck;
-    result.conversion = plumbline::crosscheck(exact_complex, exact_complex, 0);
+    result.answer.complex = float_complex;
+    result.answer.engine = "lar";
+    result.answer.title = result.answer.short_title = "float LAR";
+    result.answer.radius = 0.0625;
+    result.comparison = comparison;
+    result.conversion = plumbline::compare(exact_complex, exact_complex, 0);
     return result;
   }
 };

@@ -12,8 +12,8 @@ namespace campaign {
 using namespace plumbline;
 
 std::string what_is_wrong(const SegmentSet& input, Relation relation, std::uint64_t seed) try {
-  const ExactComplex complex = arrange(input, Engine::Bucket, {1, {}});
-  if (complex != arrange(input, Engine::Cgal)) return "the engines differ";
+  const ExactComplex complex = arrange(input, ExactEngine::Bucket, {1, {}});
+  if (complex != arrange(input, ExactEngine::Cgal)) return "the engines differ";
   for (const Violation& violation : validate(complex))
     return "broken invariant: " + to_text(violation.invariant);
   if (!validate_coverage(complex, input).empty()) return "the edges are not the input";

@@ -16,7 +16,7 @@ using namespace plumbline;
 namespace {
 
 ExactComplex arranged(const SegmentSet& input, std::size_t threads = 1) {
-  return arrange(input, Engine::Bucket, {threads, {}});
+  return arrange(input, ExactEngine::Bucket, {threads, {}});
 }
 
 /// A changed input, and which segment of the old one each of its segments is or is part of.

@@ -30,7 +30,7 @@ void examine_complex(Row& row, const SegmentSet& input) {
   row.edges += complex.edge_count();
   row.faces += complex.face_count();
   row.components += complex.component_count();
-  row.engines_differ += complex == arrange(input, Engine::Cgal) ? 0 : 1;
+  row.engines_differ += complex == arrange(input, ExactEngine::Cgal) ? 0 : 1;
   const bool keeps_invariants =
       validate(complex).empty() && validate_coverage(complex, input).empty();
   row.invariants_broken += keeps_invariants ? 0 : 1;

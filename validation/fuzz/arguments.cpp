@@ -58,7 +58,6 @@ void check_input(const cli::InputArguments& arguments) {
 void check_command(const cli::ArrangeArguments& arguments) { check_input(arguments); }
 void check_command(const cli::CheckArguments& arguments) {
   check_input(arguments);
-  check_number(arguments.radius.value_or(0));
   check_number(arguments.tolerance.value_or(0));
 }
 void check_command(const cli::InfoArguments& arguments) {

@@ -16,23 +16,24 @@ using namespace plumbline;
 namespace {
 
 /// Well-known binary, as bytes or hexadecimal, and CSV, by their first byte.
-std::optional<ForeignResult> read_binary_or_csv(std::string_view text) {
+std::optional<files::Result> read_binary_or_csv(std::string_view text) {
   ByteStream bytes(text, {"fuzz", 1, 1});
   if (text.starts_with('\0') || text.starts_with('\1') || text.starts_with('0'))
-    return read_features(bytes, read_wkb);
+    return files::read_features(bytes, read_wkb);
   if (text.starts_with('w') || text.starts_with('x') || text.starts_with('"'))
-    return read_features(bytes, read_csv);
+    return files::read_features(bytes, read_csv);
   return std::nullopt;
 }
 
-ForeignResult read(std::string_view text) {
+files::Result read(std::string_view text) {
   if (auto result = read_binary_or_csv(text)) return *std::move(result);
   const std::size_t start = text.find_first_not_of(" \r\n\t");
-  if (start == std::string_view::npos) return read_wkt_result(text, "fuzz");
-  if (text[start] != '{' && text[start] != '[') return read_wkt_result(text, "fuzz");
-  if (text.find("\"exact\"") != std::string_view::npos) return read_arrangement(text, "fuzz");
-  if (text.find("\"type\"") != std::string_view::npos) return read_geojson_result(text, "fuzz");
-  return read_lar_result(text, "fuzz");
+  if (start == std::string_view::npos) return files::read_wkt(text, "fuzz");
+  if (text[start] != '{' && text[start] != '[') return files::read_wkt(text, "fuzz");
+  if (text.find("\"exact\"") != std::string_view::npos)
+    return files::read_arrangement(text, "fuzz");
+  if (text.find("\"type\"") != std::string_view::npos) return files::read_geojson(text, "fuzz");
+  return files::read_lar(text, "fuzz");
 }
 
 /// A triangle, exactly.
@@ -62,9 +63,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const bool is_valid = validate(drawing).empty();
   if (!is_valid) fail("the triangle is not valid");
   try {
-    const ForeignResult result = read({reinterpret_cast<const char*>(data), size});
-    const Crosscheck found = crosscheck(drawing, result.complex, 0.5,
-                                        result.has_faces ? Compared::All : Compared::Graph);
+    const files::Result result = read({reinterpret_cast<const char*>(data), size});
+    const Comparison found =
+        compare(drawing, result.complex, 0.5, result.has_faces ? Compared::All : Compared::Graph);
     const bool has_violations = !validate(result.complex).empty();
     if (result.has_faces && found.float_valid == has_violations) fail("validity differs");
     if (found.agree() && found.float_counts.vertices != 3) fail("agrees with other counts");

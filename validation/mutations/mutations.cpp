@@ -50,7 +50,7 @@ bool bears(const Finding& finding, const Name& name) {
 }
 
 std::string miss(const ExactComplex& right, const Broken& broken) {
-  const Crosscheck result = crosscheck(right, broken.complex, broken.tolerance);
+  const Comparison result = compare(right, broken.complex, broken.tolerance);
   const Box box = box_of(broken.places);
   std::string wrong;
   for (const Name& name : broken.names) {
@@ -66,14 +66,14 @@ std::string miss(const ExactComplex& right, const Broken& broken) {
 }
 
 std::string false_alarm(const ExactComplex& right) {
-  const Crosscheck itself = crosscheck(right, right, 0);
+  const Comparison itself = compare(right, right, 0);
   if (!itself.agree()) return "itself:\n" + listed(itself.findings);
   const FloatComplex rounded = nearest(right);
   if (!validate(exact(rounded)).empty()) return {};  // not a right result
   double largest = 0;
   for (const PointD& p : rounded.vertices)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const Crosscheck doubles = crosscheck(right, rounded, 0x1p-52 * largest);
+  const Comparison doubles = compare(right, rounded, 0x1p-52 * largest);
   return doubles.agree() ? std::string() : "its nearest doubles:\n" + listed(doubles.findings);
 }
 

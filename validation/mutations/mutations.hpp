@@ -7,7 +7,7 @@
 #include "mutations/parts.hpp"
 #include "plumbline/compare.hpp"
 
-/// Ways to break a right result, each with what the cross-check must call it.
+/// Ways to break a right result, each with what the comparison must call it.
 namespace plumbline::mutations {
 
 /// The name that a finding must bear.
@@ -23,7 +23,7 @@ Name broken(Invariant invariant);
 std::string to_text(const Name& name);
 bool bears(const Finding& finding, const Name& name);
 
-/// A broken result: the cross-check with the right one must give a finding of each name in the box
+/// A broken result: the comparison with the right one must give a finding of each name in the box
 /// around the places.
 struct Broken {
   ExactComplex complex;
@@ -49,10 +49,10 @@ const std::vector<Mutation>& of_cells();
 /// All of them.
 std::vector<Mutation> all();
 
-/// What is wrong with the cross-check of this mutation, empty if nothing: an expected finding that
+/// What is wrong with the comparison of this mutation, empty if nothing: an expected finding that
 /// is not there, or not in its place.
 std::string miss(const ExactComplex& right, const Broken& broken);
-/// What is wrong with the cross-check of a right result, its nearest doubles and itself: any
+/// What is wrong with the comparison of a right result, its nearest doubles and itself: any
 /// finding.
 std::string false_alarm(const ExactComplex& right);
 

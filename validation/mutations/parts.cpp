@@ -98,7 +98,7 @@ ExactComplex Drawing::arranged() const {
     original.push_back(i);
   }
   for (const Point& p : points) set.add_point(p, SourceId());
-  ExactComplex result = arrange(set, Engine::Bucket, {1, {}});
+  ExactComplex result = arrange(set, ExactEngine::Bucket, {1, {}});
   Lists<SegmentId> named;
   for (std::size_t e = 0; e < result.edge_count(); ++e) {
     std::vector<SegmentId> ids;

@@ -5,12 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/complex.hpp"
+#include "plumbline/engine.hpp"
 
-namespace plumbline {
+namespace plumbline::files {
 
 /// An arrangement that another program made, as its file says, right or wrong.
-struct ForeignResult {
+struct Result {
   std::string file;
   /// In canonical order, without sources. Its doubles are taken as the rationals that they are;
   /// coordinates of an arrangement that this program wrote are those of its file, exactly.
@@ -37,12 +37,18 @@ struct ForeignResult {
 /// - `.json`: what `arrange --output` and `lar --trace` of this program write.
 /// Throws: Error BadFile; BadInput for a malformed file, an unknown ending, an index out of range;
 /// Limit.
-ForeignResult read_result(const std::filesystem::path& file);
+Result read(const std::filesystem::path& file);
 
 /// The formats of a `.json` file one by one.
-ForeignResult read_geojson_result(std::string_view text, const std::string& file_name);
-ForeignResult read_lar_result(std::string_view text, const std::string& file_name);
-ForeignResult read_arrangement(std::string_view text, const std::string& file_name);
-ForeignResult read_wkt_result(std::string_view text, const std::string& file_name);
+Result read_geojson(std::string_view text, const std::string& file_name);
+Result read_lar(std::string_view text, const std::string& file_name);
+Result read_arrangement(std::string_view text, const std::string& file_name);
+Result read_wkt(std::string_view text, const std::string& file_name);
 
-}  // namespace plumbline
+/// The result as an answer for `check`. Its title is the file; it has no stages.
+Answer answer(Result result);
+
+/// The same as an engine, with the parameter file; its name is "files".
+Engine engine();
+
+}  // namespace plumbline::files

@@ -10,15 +10,8 @@
 #include "plumbline/engines/lar.hpp"
 
 namespace plumbline {
-
-/// What the published pipeline answers.
-enum class PublishedResult {
-  LarFromLines,     ///< faces of the component with most edges
-  AllComponents,    ///< faces of all components, as in the document's tests 08 and 09
-  CellsFromCycles,  ///< cells with holes; every component must be a simple cycle
-};
-
-}  // namespace plumbline
+struct Engine;
+}
 
 /// LAR's module `inters` as it was published (Paoluzzi, "Accelerated intersection of geometric
 /// objects", November 2015), with its fixed decimals, its omissions and its order: the variant
@@ -28,7 +21,7 @@ enum class PublishedResult {
 /// their keys by hash: numbering and, where merging made a drawing non-planar, even the faces
 /// depend on it. Everything is **Rounded** and right only where the original was. Where the
 /// original crashed or ran for ever, the stage is a `Failure`.
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 
 /// The default number of decimals of the original's `vcode`.
 inline constexpr int kDecimals = 4;
@@ -40,6 +33,13 @@ inline constexpr double kRadius = 0.001;
 /// Most cycles whose containment `run` compares, each with each.
 inline constexpr std::size_t kMaxLattice = 1000;
 
+/// What the pipeline answers.
+enum class Result {
+  LarFromLines,     ///< faces of the component with most edges
+  AllComponents,    ///< faces of all components, as in the document's tests 08 and 09
+  CellsFromCycles,  ///< cells with holes; every component must be a simple cycle
+};
+
 struct Options {
   int decimals = kDecimals;
   double radius = kRadius;
@@ -47,6 +47,7 @@ struct Options {
   std::size_t threads = 0;
 };
 
+using lar::Box;
 using lar::Model;
 using lar::VertexPair;
 
@@ -162,6 +163,19 @@ std::vector<SegmentD> lines_on_unit_square(const SegmentSet& input, int decimals
 /// and finite; Limit where buckets, or the pairs of vertices within the radius, outgrow memory.
 Trace run(std::vector<SegmentD> lines, const Options& options = {});
 
+/// What the engine is given apart from the drawing.
+struct Original {
+  /// The lines in place of the input's, in their order; by default these are its nearest doubles.
+  /// For maps done in floats, as that to the unit square.
+  std::optional<std::vector<SegmentD>> lines = {};
+  /// The SVG text that the input was read from: then what the published svg2lines would misread is
+  /// found, too.
+  std::optional<std::string> svg = {};
+};
+/// The pipeline as an engine for `check`, with the parameters radius, decimals and result
+/// (larFromLines, allComponents, cells); its name is "inters".
+Engine engine(Original original = {});
+
 /// The model over merged vertices: (V, EV) where it has no faces, or (V, FV, EV), where edges that
 /// became a point stay (Q10). Cells in the order of sets, faces then by length; vertices stay, used
 /// or not. Section 2.9 (larSimplify). Throws: Error BadInput for a model without edges, or a cell
@@ -173,4 +187,4 @@ Model simplify(const Model& model, double radius = kRadius);
 /// that the model has not.
 std::vector<std::size_t> boundary_chain(const Model& model, std::span<const std::size_t> faces);
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

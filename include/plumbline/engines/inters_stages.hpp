@@ -15,7 +15,7 @@
 /// have the order of the original's. "Fails" means: throws StageFailure. **Requires**, everywhere:
 /// finite coordinates; lists that fit each other, as the stages before leave them, in particular
 /// indices of what is there.
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 
 /// Thrown by a stage where the original crashed or ran for ever; `run` records it instead. Its code
 /// is BadInput.
@@ -181,4 +181,4 @@ std::vector<std::vector<VertexPair>> bridge_edges(
     std::span<const PointD> vertices, std::span<const std::vector<VertexPair>> components,
     const CycleCells& cells);
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -4,7 +4,7 @@
 
 #include "plumbline/engines/inters.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 
 /// Fixed decimals (vcode, fixedPrec): values rounded half away from zero to a number of decimals
 /// and to 12 significant digits, as the text of the original does. **Rounded**. Requires: values
@@ -28,4 +28,4 @@ class Vcode {
   double power_;  ///< ten to the number of decimals
 };
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -6,6 +6,10 @@
 
 #include "plumbline/complex.hpp"
 
+namespace plumbline {
+struct Engine;
+}
+
 /// The float pipeline of LAR's module `inters` (Paoluzzi, "Accelerated intersection of geometric
 /// objects", November 2015), variant `repaired`: the best float version of the published algorithm.
 /// Everything here is computed in doubles; nothing is exact. The stages are in `lar_stages.hpp`.
@@ -112,6 +116,9 @@ struct Result {
 /// Error BadInput for a radius that is negative or not finite, or a coordinate beyond the largest
 /// double; Limit where edges cut each other in more than 2^26 places (kMaxCuts of lar_stages.hpp).
 Result arrange(const SegmentSet& input, const Options& options = {});
+
+/// The same as an engine for `check`, with the parameter radius; its name is "lar".
+Engine engine();
 
 /// The model with vertices no further apart than the radius (raised as above) merged, transitively,
 /// into their centroids. Edges of fewer than two and faces of fewer than three vertices, repeated

@@ -37,7 +37,7 @@ std::string to_svg(const lar::Result& result, const LarPicture& options = {});
 std::string to_json(const lar::Result& result);
 
 /// The same of the published pipeline.
-std::string to_svg(const lar::published::Trace& trace, const LarPicture& options = {});
-std::string to_json(const lar::published::Trace& trace);
+std::string to_svg(const inters::Trace& trace, const LarPicture& options = {});
+std::string to_json(const inters::Trace& trace);
 
 }  // namespace plumbline

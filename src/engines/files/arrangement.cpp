@@ -4,7 +4,7 @@
 #include "engines/files/readers.hpp"
 #include "plumbline/error.hpp"
 
-namespace plumbline {
+namespace plumbline::files {
 namespace {
 
 using json::expect;
@@ -71,7 +71,7 @@ void add_face(ExactComplex& c, const JsonValue& face) {
 
 }  // namespace
 
-ForeignResult read_arrangement(ByteStream& bytes) {
+Result read_arrangement(ByteStream& bytes) {
   const JsonTree tree(bytes);
   const JsonValue root = expect(tree.root(), JsonType::Object, "an object");
   const JsonValue format = member(root, "format", JsonType::String);
@@ -91,16 +91,16 @@ ForeignResult read_arrangement(ByteStream& bytes) {
   }
   for (JsonValue f = faces.first(); f; f = f.next()) add_face(c, f);
   if (c.face_outer.empty()) faces.fail("no unbounded face");
-  ForeignResult result;
+  Result result;
   result.file = bytes.file();
   result.complex = canonical(std::move(c));
   result.has_faces = true;
   return result;
 }
 
-ForeignResult read_arrangement(std::string_view text, const std::string& file_name) {
+Result read_arrangement(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});
   return read_arrangement(bytes);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

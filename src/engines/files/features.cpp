@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "engines/files/readers.hpp"
-#include "plumbline/polygons.hpp"
+#include "plumbline/engine/cell_lists.hpp"
 
-namespace plumbline {
+namespace plumbline::files {
 namespace {
 
 class VertexNumbers {
@@ -54,8 +54,8 @@ CellLists cells_of(const Geometries& geometries) {
 
 }  // namespace
 
-ForeignResult read_features(ByteStream& bytes, FeatureReader reader) {
-  ForeignResult result;
+Result read_features(ByteStream& bytes, FeatureReader reader) {
+  Result result;
   Geometries geometries;
   Structure notes = reader(bytes, {&geometries});
   result.file = bytes.file();
@@ -67,14 +67,14 @@ ForeignResult read_features(ByteStream& bytes, FeatureReader reader) {
   return result;
 }
 
-ForeignResult read_geojson_result(std::string_view text, const std::string& file_name) {
+Result read_geojson(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});
-  return read_features(bytes, read_geojson);
+  return read_features(bytes, plumbline::read_geojson);
 }
 
-ForeignResult read_wkt_result(std::string_view text, const std::string& file_name) {
+Result read_wkt(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});
-  return read_features(bytes, read_wkt);
+  return read_features(bytes, plumbline::read_wkt);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

@@ -7,7 +7,7 @@
 #include "plumbline/number.hpp"
 #include "read/byte_stream.hpp"
 
-namespace plumbline::json {
+namespace plumbline::files::json {
 
 JsonValue expect(const JsonValue& value, JsonType type, const char* what) {
   if (!value.is(type)) value.fail(std::string("expected ") + what);
@@ -44,4 +44,4 @@ std::int64_t integer(const JsonValue& value) {
   return result;
 }
 
-}  // namespace plumbline::json
+}  // namespace plumbline::files::json

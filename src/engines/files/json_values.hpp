@@ -2,7 +2,7 @@
 
 #include "read/json_tree.hpp"
 
-namespace plumbline {
+namespace plumbline::files {
 
 /// What results hold, taken from JSON. Each throws Error BadInput at the value's place.
 namespace json {
@@ -16,4 +16,4 @@ double number(const JsonValue& value);
 std::int64_t integer(const JsonValue& value);
 
 }  // namespace json
-}  // namespace plumbline
+}  // namespace plumbline::files

@@ -7,10 +7,10 @@
 
 #include "engines/files/json_values.hpp"
 #include "engines/files/readers.hpp"
+#include "plumbline/engine/cell_lists.hpp"
 #include "plumbline/error.hpp"
-#include "plumbline/polygons.hpp"
 
-namespace plumbline {
+namespace plumbline::files {
 namespace {
 
 using Cell = std::vector<VertexId>;
@@ -27,7 +27,7 @@ class LarResult {
     find_members(tree.root());
   }
 
-  ForeignResult read() && {
+  Result read() && {
     read_vertices();
     find_base();
     read_edges();
@@ -53,7 +53,7 @@ class LarResult {
   std::optional<std::vector<Cell>> cycles_among(const Cell& vertices) const;
   Rational twice_area(const Cell& ring) const;
 
-  ForeignResult result_;
+  Result result_;
   Members members_;
   CellLists cells_;
   std::vector<std::vector<VertexId>> neighbours_;  ///< per vertex, by EV
@@ -266,14 +266,14 @@ Rational LarResult::twice_area(const Cell& ring) const {
 
 }  // namespace
 
-ForeignResult read_lar_result(ByteStream& bytes) {
+Result read_lar(ByteStream& bytes) {
   const JsonTree tree(bytes);
   return LarResult(tree, bytes.file()).read();
 }
 
-ForeignResult read_lar_result(std::string_view text, const std::string& file_name) {
+Result read_lar(std::string_view text, const std::string& file_name) {
   ByteStream bytes(text, {file_name, 1, 1});
-  return read_lar_result(bytes);
+  return read_lar(bytes);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

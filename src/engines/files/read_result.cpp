@@ -6,23 +6,23 @@
 #include "read/input_file.hpp"
 #include "read/json_kind.hpp"
 
-namespace plumbline {
+namespace plumbline::files {
 namespace {
 
 namespace fs = std::filesystem;
 
-ForeignResult read_json_result(const fs::path& file) {
+Result read_json_result(const fs::path& file) {
   ByteStream beginning(file);
   const JsonKind kind = json_kind(beginning);
   ByteStream bytes(file);
   switch (kind) {
     case JsonKind::GeoJson:
-      return read_features(bytes, read_geojson);
+      return read_features(bytes, plumbline::read_geojson);
     case JsonKind::Arrangement:
       return read_arrangement(bytes);
     case JsonKind::Lar:
     case JsonKind::LarTrace:
-      return read_lar_result(bytes);
+      return read_lar(bytes);
     case JsonKind::Struct:
       break;
   }
@@ -32,7 +32,7 @@ ForeignResult read_json_result(const fs::path& file) {
 
 }  // namespace
 
-void note_lost_faces(ForeignResult& result, std::size_t face_count) {
+void note_lost_faces(Result& result, std::size_t face_count) {
   const std::size_t lost = face_count + 1 - result.complex.face_count();
   if (lost == 0) return;
   Rejected& item = result.rejected.emplace_back();
@@ -41,16 +41,16 @@ void note_lost_faces(ForeignResult& result, std::size_t face_count) {
   item.text = std::to_string(lost) + (lost == 1 ? " face" : " faces");
 }
 
-ForeignResult read_result(const fs::path& file) {
+Result read(const fs::path& file) {
   check_is_file(file);
   checked_size(file, kMaxStreamedFileSize);
   const std::string ending = lower_case_ending(file);
   if (ending == ".json") return read_json_result(file);
   FeatureReader reader = nullptr;
-  if (ending == ".geojson") reader = read_geojson;
-  if (ending == ".wkt") reader = read_wkt;
-  if (ending == ".wkb") reader = read_wkb;
-  if (ending == ".csv") reader = read_csv;
+  if (ending == ".geojson") reader = plumbline::read_geojson;
+  if (ending == ".wkt") reader = plumbline::read_wkt;
+  if (ending == ".wkb") reader = plumbline::read_wkb;
+  if (ending == ".csv") reader = plumbline::read_csv;
   if (reader == nullptr) {
     throw Error(ErrorCode::BadInput,
                 "unknown file name ending of a result; known are .json .geojson .wkt .wkb .csv",
@@ -60,4 +60,4 @@ ForeignResult read_result(const fs::path& file) {
   return read_features(bytes, reader);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

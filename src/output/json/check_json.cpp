@@ -1,4 +1,4 @@
-// The cross-check as members of a JSON object; documented in docs/json.md.
+// The comparison as members of a JSON object; documented in docs/json.md.
 
 #include "output/json/check_json.hpp"
 
@@ -40,17 +40,41 @@ void write_counts(JsonWriter& json, const char* key, const Counts& counts) {
   json.EndObject();
 }
 
+void write_engine(JsonWriter& json, const Answer& answer) {
+  json.Key("engine");
+  json.StartObject();
+  json.Key("name");
+  json.text(answer.engine);
+  json.Key("version");
+  json.text(answer.version);
+  json.Key("title");
+  json.text(answer.title);
+  json.Key("parameters");
+  json.StartObject();
+  for (const auto& [name, value] : answer.parameters) {
+    json.Key(name.c_str());
+    if (const auto* number = std::get_if<double>(&value)) {
+      json.number(*number);
+    } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+      json.Int64(*integer);
+    } else {
+      json.text(std::get<std::string>(value));
+    }
+  }
+  json.EndObject();
+  json.EndObject();
+}
+
 void write_summary(JsonWriter& json, const Check& check) {
-  const Crosscheck& c = check.crosscheck;
+  const Comparison& c = check.comparison;
   json.Key("verdict");
   json.text(c.agree() ? "agree" : "disagree");
-  json.Key("result");
-  json.text(check.result);
+  write_engine(json, check.answer);
   json.Key("float_valid");
   json.Bool(c.float_valid);
   json.Key("exact");
   json.Bool(check.input.ledger.empty());
-  write_optional(json, "radius", check.radius);
+  write_optional(json, "radius", check.answer.radius);
   json.Key("tolerance");
   json.number(c.tolerance);
   json.Key("largest_displacement");
@@ -74,35 +98,36 @@ void write_summary(JsonWriter& json, const Check& check) {
   json.EndObject();
 }
 
-void write_cause(JsonWriter& json, const std::optional<Cause>& cause) {
+void write_cause(JsonWriter& json, const Cause* known) {
   json.Key("cause");
-  if (!cause) {
+  if (known == nullptr) {
     json.Null();
     return;
   }
+  const Cause& cause = *known;
   json.StartObject();
   json.Key("stage");
-  json.text(to_text(cause->stage));
+  json.text(cause.stage);
   json.Key("round");
-  json.count(cause->round);
+  json.count(cause.round);
   json.Key("rule");
-  json.text(cause->rule);
+  json.text(cause.rule);
   json.Key("explanation");
-  json.text(cause->explanation);
+  json.text(cause.explanation);
   json.Key("advice");
-  json.text(cause->advice);
+  json.text(cause.advice);
   json.Key("confirmed");
-  json.Bool(cause->confirmed);
+  json.Bool(cause.confirmed);
   json.Key("remade");
-  if (cause->remade)
-    json.Bool(*cause->remade);
+  if (cause.remade)
+    json.Bool(*cause.remade);
   else
     json.Null();
   json.EndObject();
 }
 
 void write_finding(JsonWriter& json, const SegmentSet& input, const Finding& finding,
-                   std::size_t number) {
+                   const Cause* cause, std::size_t number) {
   json.StartObject();
   json.Key("number");
   json.count(number);
@@ -132,7 +157,7 @@ void write_finding(JsonWriter& json, const SegmentSet& input, const Finding& fin
   write_optional(json, "distance", finding.distance);
   write_exact(json, "squared_distance", finding.squared_distance);
   write_exact(json, "area", finding.area);
-  write_cause(json, finding.cause);
+  write_cause(json, cause);
   json.Key("segments");
   json.counts(finding.segments);
   json.Key("sources");
@@ -141,10 +166,11 @@ void write_finding(JsonWriter& json, const SegmentSet& input, const Finding& fin
 }
 
 void write_findings(JsonWriter& json, const char* key, const SegmentSet& input,
-                    const std::vector<Finding>& findings) {
+                    const std::vector<Finding>& findings, const std::vector<Cause>& causes) {
   json.Key(key);
   json.StartArray();
-  for (std::size_t i = 0; i < findings.size(); ++i) write_finding(json, input, findings[i], i + 1);
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    write_finding(json, input, findings[i], i < causes.size() ? &causes[i] : nullptr, i + 1);
   json.EndArray();
 }
 
@@ -256,10 +282,11 @@ void write_feature_size(JsonWriter& json, const std::optional<FeatureSize>& size
 
 void write_check(JsonWriter& json, const Check& check) {
   json.Key("format");
-  json.text("plumbline check 1");
+  json.text("plumbline check 2");
   write_summary(json, check);
-  write_findings(json, "findings", check.input, check.crosscheck.findings);
-  write_findings(json, "conversion", check.input, check.conversion.findings);
+  write_findings(json, "findings", check.input, check.comparison.findings, check.causes);
+  write_findings(json, "conversion", check.input, check.conversion.findings,
+                 check.conversion_causes);
   write_feature_size(json, check.feature_size);
   write_ladder(json, check.ladder);
   write_right_radii(json, check.right_radii);

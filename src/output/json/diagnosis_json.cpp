@@ -101,7 +101,7 @@ void write_diagnosis(JsonWriter& json, const Diagnosis& diagnosis, const Segment
   json.EndArray();
 }
 
-std::string report_json(const Diagnosis& diagnosis, const SegmentSet& input) {
+std::string to_json(const Diagnosis& diagnosis, const SegmentSet& input) {
   JsonWriter json;
   json.StartObject();
   json.Key("format");

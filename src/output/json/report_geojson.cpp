@@ -41,9 +41,8 @@ std::string sources_text(const SegmentSet& input, const Finding& finding) {
 }
 
 void write_properties(JsonWriter& json, const SegmentSet& input, const Finding& finding,
-                      std::size_t number) {
+                      const Cause& cause, std::size_t number) {
   const bool has_place = finding.kind != CellKind::Complex;
-  const Cause cause = finding.cause.value_or(Cause{});
   json.Key("properties");
   json.StartObject();
   json.Key("number");
@@ -51,7 +50,7 @@ void write_properties(JsonWriter& json, const SegmentSet& input, const Finding& 
   write_text(json, "kind", to_text(finding.kind));
   write_text(json, "disagreement", to_text(finding.disagreement));
   write_text(json, "invariant", finding.invariant ? to_text(*finding.invariant) : "");
-  write_text(json, "stage", finding.cause ? to_text(cause.stage) : "");
+  write_text(json, "stage", cause.stage);
   write_text(json, "rule", cause.rule);
   write_text(json, "message", finding.message);
   write_text(json, "advice", cause.advice);
@@ -68,14 +67,14 @@ void write_properties(JsonWriter& json, const SegmentSet& input, const Finding& 
 
 }  // namespace
 
-std::string report_geojson(const Check& check) {
+std::string to_geojson(const Check& check) {
   JsonWriter json;
   json.StartObject();
   json.Key("type");
   json.text("FeatureCollection");
   json.Key("features");
   json.StartArray();
-  const std::vector<Finding>& findings = check.crosscheck.findings;
+  const std::vector<Finding>& findings = check.comparison.findings;
   for (std::size_t i = 0; i < findings.size(); ++i) {
     json.StartObject();
     json.Key("type");
@@ -83,7 +82,8 @@ std::string report_geojson(const Check& check) {
     json.Key("id");
     json.count(i + 1);
     write_geometry(json, findings[i]);
-    write_properties(json, check.input, findings[i], i + 1);
+    write_properties(json, check.input, findings[i],
+                     i < check.causes.size() ? check.causes[i] : Cause{}, i + 1);
     json.EndObject();
   }
   json.EndArray();

@@ -5,7 +5,7 @@
 
 namespace plumbline {
 
-std::string report_json(const Check& check) {
+std::string to_json(const Check& check) {
   JsonWriter json;
   json.StartObject();
   write_check(json, check);

@@ -203,11 +203,11 @@ PageData page_data(const Check& check) {
   PageArrays arrays;
   Complexes complexes(arrays, check.exact_complex);
   complexes.add("doubles", check.doubles_complex);
-  complexes.add("float", check.float_complex);
+  complexes.add("float", check.answer.complex);
   const std::vector<Rational> areas = face_areas(check.exact_complex);
   arrays.add("authored.area", nearest_doubles(areas));
   arrays.add("doubles.area", nearest_doubles(face_areas(check.doubles_complex)));
-  arrays.add("float.area", nearest_doubles(face_areas(exact(check.float_complex))));
+  arrays.add("float.area", nearest_doubles(face_areas(exact(check.answer.complex))));
   const Kinds kinds = add_sources(arrays, check.input);
 
   JsonWriter json;

@@ -19,12 +19,12 @@ constexpr const char* kPolicy =
 
 std::string title(const Check& check) {
   const std::string file = check.input.files.empty() ? "drawing" : check.input.files[0];
-  return file + ": " + verdict(check.crosscheck);
+  return file + ": " + verdict(check.comparison);
 }
 
 }  // namespace
 
-std::string report_html(const Check& check) {
+std::string to_html(const Check& check) {
   const PageData data = page_data(check);
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta http-equiv=\"Content-Security-Policy\" content=\"";
@@ -37,7 +37,7 @@ std::string report_html(const Check& check) {
   page += "</style>\n</head>\n<body>\n";
   page += kPageBody;
   page += "<noscript><pre>\n";
-  page += xml_text(report_text(check, kFindingsWithoutScript));
+  page += xml_text(to_text(check, kFindingsWithoutScript));
   page += "</pre></noscript>\n<script type=\"text/plain\" id=\"report\">";
   page += packed(data.json);
   page += "</script>\n<script type=\"text/plain\" id=\"arrays\">";

@@ -9,10 +9,10 @@ std::string to_svg(const ExactComplex& complex, bool y_up) {
   if (y_up) {
     for (PointD& p : rounded.vertices) p.y = 0.0 - p.y;
   }
-  const picture::Box box = picture::widened(picture::bounds(rounded), kMargin);
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" + picture::coordinates(box.low) +
-         ' ' + picture::coordinates({box.width(), box.height()}) + "\">\n" +
-         picture::panel(rounded, picture::Frame(), picture::pen_width(box)) + "</svg>\n";
+  const svg::Box box = svg::widened(svg::bounds(rounded), kMargin);
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" + svg::coordinates(box.low) + ' ' +
+         svg::coordinates({box.width(), box.height()}) + "\">\n" +
+         svg::panel(rounded, svg::Frame(), svg::pen_width(box)) + "</svg>\n";
 }
 
 }  // namespace plumbline

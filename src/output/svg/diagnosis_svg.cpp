@@ -16,7 +16,7 @@ namespace plumbline {
 namespace {
 
 using Out = std::back_insert_iterator<std::string>;
-using PictureBox = picture::Box;
+using PictureBox = svg::Box;
 
 // All in pixels.
 constexpr double kWidth = 1600, kMargin = 24, kHeader = 64, kTitle = 40;
@@ -55,22 +55,22 @@ std::vector<Group> groups(const Diagnosis& diagnosis) {
 /// The drawing itself, which every panel shows, and how it is placed.
 struct Base {
   FloatComplex complex;
-  picture::Frame frame;  ///< onto a panel at (0, 0)
+  svg::Frame frame;  ///< onto a panel at (0, 0)
   PictureBox panel;
   double pen;
 };
 
 Base base_of(const ExactComplex& exact_complex, bool y_up) {
   FloatComplex complex = nearest(exact_complex);
-  const PictureBox content = picture::widened(picture::bounds(complex), kRoom);
+  const PictureBox content = svg::widened(svg::bounds(complex), kRoom);
   const double height =
       std::clamp(kPanelWidth * content.height() / content.width(), kLeastHeight, kGreatestHeight);
   const PictureBox panel{{0, 0}, {kPanelWidth, height}};
-  picture::Frame frame = picture::fit(content, panel, y_up);
+  svg::Frame frame = svg::fit(content, panel, y_up);
   frame.steps = kStepsPerPixel;
   const double edges = static_cast<double>(complex.edge_count());
   const double pen =
-      picture::pen_width(panel) *
+      svg::pen_width(panel) *
       std::clamp(std::sqrt(kEdgesAtFullPen / std::max(edges, 1.0)), kThinnestPen, 1.0);
   return {std::move(complex), frame, panel, pen};
 }
@@ -87,13 +87,13 @@ std::string marked_edges(const Base& base, const Diagnosis& diagnosis, const Gro
   for (std::size_t i = group.begin; i < group.end; ++i)
     for (const EdgeId e : diagnosis.defects[i].edges) {
       const Edge& edge = base.complex.edges[e];
-      path += 'M' + picture::coordinates(base.frame(base.complex.vertices[edge.tail])) + 'L' +
-              picture::coordinates(base.frame(base.complex.vertices[edge.head]));
+      path += 'M' + svg::coordinates(base.frame(base.complex.vertices[edge.tail])) + 'L' +
+              svg::coordinates(base.frame(base.complex.vertices[edge.head]));
     }
   return fmt::format(
       "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" "
       "d=\"{}\"/>\n",
-      picture::kMark, shortest_text(kMarkPens * base.pen), path);
+      svg::kMark, shortest_text(kMarkPens * base.pen), path);
 }
 
 std::string title(const Diagnosis& diagnosis, const Group& group) {
@@ -126,8 +126,8 @@ std::string header(const Diagnosis& diagnosis, const SegmentSet& input) {
 
 }  // namespace
 
-std::string report_svg(const Diagnosis& diagnosis, const SegmentSet& input,
-                       const ExactComplex& complex) {
+std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
+                   const ExactComplex& complex) {
   const Base base = base_of(complex, input.y_up);
   const std::vector<Group> kinds = groups(diagnosis);
   const std::size_t panels = std::max<std::size_t>(kinds.size(), 1);
@@ -137,12 +137,12 @@ std::string report_svg(const Diagnosis& diagnosis, const SegmentSet& input,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
       "viewBox=\"0 0 {0} {1:.0f}\" font-family=\"DejaVu Sans, Arial, sans-serif\" "
       "fill=\"{2}\">\n<rect width=\"{0}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n",
-      kWidth, kHeader + static_cast<double>(rows) * row_height, picture::kInk);
+      kWidth, kHeader + static_cast<double>(rows) * row_height, svg::kInk);
   fmt::format_to(Out(svg),
                  "<defs><g id=\"drawing\">\n<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\" "
                  "stroke=\"#c9d1d9\"/>\n{}</g></defs>\n",
                  base.panel.width(), base.panel.height(),
-                 picture::panel(base.complex, base.frame, base.pen));
+                 svg::panel(base.complex, base.frame, base.pen));
   svg += header(diagnosis, input);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const std::size_t row = i / kColumns, column = i % kColumns;

@@ -13,7 +13,7 @@
 namespace plumbline {
 namespace {
 
-using picture::Box;
+using svg::Box;
 using Out = std::back_insert_iterator<std::string>;
 
 constexpr double kLargestRing = 8, kSmallestRing = 3;
@@ -114,14 +114,14 @@ std::string labelled_rings(const std::vector<FindingPlace>& places, const Box& p
   const Rings rings = rings_of(places);
   const double radius = ring_radius(rings.size());
   std::string svg = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\">\n",
-                                picture::kMark, radius / 5);
+                                svg::kMark, radius / 5);
   for (const auto& [key, ring] : rings)
     fmt::format_to(Out(svg), "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>\n", ring.first.x,
                    ring.first.y, radius);
   fmt::format_to(Out(svg),
                  "</g>\n<g fill=\"{}\" font-size=\"{}\" font-weight=\"bold\" stroke=\"#ffffff\" "
                  "stroke-width=\"3\" paint-order=\"stroke\">\n",
-                 picture::kMark, kFontSize);
+                 svg::kMark, kFontSize);
   Space space(panel);
   for (const auto& [key, ring] : rings)
     space.reserve({{ring.first.x - radius, ring.first.y - radius},

@@ -16,7 +16,7 @@ struct FindingPlace {
 /// A ring around each place, each with its number beside it, as SVG elements. Numbers at the same
 /// place share one label. Up to kAllNumbered findings are all numbered; of more, those whose labels
 /// overlap no other.
-std::string labelled_rings(const std::vector<FindingPlace>& places, const picture::Box& panel);
+std::string labelled_rings(const std::vector<FindingPlace>& places, const svg::Box& panel);
 inline constexpr std::size_t kAllNumbered = 60;
 
 }  // namespace plumbline

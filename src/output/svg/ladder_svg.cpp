@@ -128,13 +128,13 @@ std::string band(const Axis& axis, const RightRadii& radii) {
 
 }  // namespace
 
-std::string ladder_svg(const ToleranceLadder& ladder, const std::optional<RightRadii>& radii) {
+std::string to_svg(const ToleranceLadder& ladder, const std::optional<RightRadii>& radii) {
   const Axis axis = axis_of(ladder);
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
       "{1}\" font-family=\"DejaVu Sans, Arial, sans-serif\" fill=\"{2}\">\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      kWidth, kHeight, picture::kInk);
+      kWidth, kHeight, svg::kInk);
   if (radii) svg += band(axis, *radii);
   svg += radius_ticks(axis);
   svg += text(kLeft, 28, "start", 18,
@@ -147,10 +147,9 @@ std::string ladder_svg(const ToleranceLadder& ladder, const std::optional<RightR
                                : fmt::format("green: float LAR right, {:.4g} to {:.4g}",
                                              radii->least, radii->largest));
   const auto top = [](int i) { return kTop + i * (kPlotHeight + kGap); };
-  svg +=
-      plot(ladder, axis, "vertices", picture::kInk, top(0), ladder.vertices, &LadderStep::vertices);
+  svg += plot(ladder, axis, "vertices", svg::kInk, top(0), ladder.vertices, &LadderStep::vertices);
   svg += plot(ladder, axis, "edges", "#4f9bcb", top(1), ladder.edges, &LadderStep::edges);
-  svg += plot(ladder, axis, "faces", picture::kMark, top(2), ladder.faces, &LadderStep::faces);
+  svg += plot(ladder, axis, "faces", svg::kMark, top(2), ladder.faces, &LadderStep::faces);
   svg += text(kLeft + kAxisWidth / 2, kHeight - 16, "middle", 13, "radius (drawing units)");
   return svg + "</svg>\n";
 }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace plumbline::picture {
+namespace plumbline::svg {
 namespace {
 
 // A smaller drawing is drawn as a point: magnifying it to a panel would overflow.
@@ -149,4 +149,4 @@ std::string panel(const FloatComplex& complex, const Frame& frame, double pen, c
   return svg;
 }
 
-}  // namespace plumbline::picture
+}  // namespace plumbline::svg

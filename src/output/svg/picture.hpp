@@ -6,7 +6,7 @@
 
 #include "plumbline/complex.hpp"
 
-namespace plumbline::picture {
+namespace plumbline::svg {
 
 /// The colours of every picture: one calm colour for the drawing, a strong second one for findings.
 inline constexpr const char* kInk = "#1f2d3a";
@@ -69,4 +69,4 @@ double pen_width(const Box& box);
 std::string panel(const FloatComplex& complex, const Frame& frame, double pen,
                   const Marks& marks = {});
 
-}  // namespace plumbline::picture
+}  // namespace plumbline::svg

@@ -16,7 +16,7 @@
 namespace plumbline {
 namespace {
 
-using picture::Box;
+using svg::Box;
 using Out = std::back_insert_iterator<std::string>;
 
 // All in pixels.
@@ -38,9 +38,9 @@ struct Layout {
 Layout layout(const FloatComplex& exact_rounded, const FloatComplex& float_complex) {
   const bool has_exact = !exact_rounded.vertices.empty();
   const bool has_float = !float_complex.vertices.empty();
-  Box content = picture::bounds(has_exact ? exact_rounded : float_complex);
-  if (has_exact && has_float) content = picture::hull(content, picture::bounds(float_complex));
-  content = picture::widened(content, kRoom);
+  Box content = svg::bounds(has_exact ? exact_rounded : float_complex);
+  if (has_exact && has_float) content = svg::hull(content, svg::bounds(float_complex));
+  content = svg::widened(content, kRoom);
   const double height = std::clamp(kPanelWidth * content.height() / content.width(),
                                    kLeastPanelHeight, kGreatestPanelHeight);
   const auto panel_at = [&](double x) {
@@ -52,10 +52,10 @@ Layout layout(const FloatComplex& exact_rounded, const FloatComplex& float_compl
 
 /// The cells of one side that the findings speak of. A face that is only reshaped is not filled:
 /// the edges that reshape it are marked.
-picture::Marks marks_of(const Crosscheck& crosscheck, const Incidences& complex,
-                        std::vector<std::size_t> Finding::*cells) {
-  picture::Marks marks;
-  for (const Finding& finding : crosscheck.findings)
+svg::Marks marks_of(const Comparison& comparison, const Incidences& complex,
+                    std::vector<std::size_t> Finding::*cells) {
+  svg::Marks marks;
+  for (const Finding& finding : comparison.findings)
     for (const std::size_t cell : finding.*cells) {
       if (finding.kind == CellKind::Vertex) marks.vertices.emplace_back(cell);
       if (finding.kind == CellKind::Edge) marks.edges.emplace_back(cell);
@@ -80,23 +80,23 @@ std::string text(double x, double y, double size, const std::string& rest, std::
 }
 
 std::string drawn_panel(const Box& box, const Layout& where, const FloatComplex& complex,
-                        const picture::Marks& marks, const Check& check) {
-  const Crosscheck& crosscheck = check.crosscheck;
-  picture::Frame frame = picture::fit(where.content, box, check.input.y_up);
+                        const svg::Marks& marks, const Check& check) {
+  const Comparison& comparison = check.comparison;
+  svg::Frame frame = svg::fit(where.content, box, check.input.y_up);
   frame.steps = kStepsPerPixel;
   const double edges = static_cast<double>(complex.edge_count());
   const double pen =
-      picture::pen_width(box) *
+      svg::pen_width(box) *
       std::clamp(std::sqrt(kEdgesAtFullPen / std::max(edges, 1.0)), kThinnestPen, 1.0);
   std::vector<FindingPlace> places;
-  for (std::size_t i = 0; i < crosscheck.findings.size(); ++i)
-    if (crosscheck.findings[i].kind != CellKind::Complex)
-      places.push_back({frame(nearest(crosscheck.findings[i].where)), i + 1});
+  for (std::size_t i = 0; i < comparison.findings.size(); ++i)
+    if (comparison.findings[i].kind != CellKind::Complex)
+      places.push_back({frame(nearest(comparison.findings[i].where)), i + 1});
   return fmt::format(
              "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#ffffff\" "
              "stroke=\"#c9d1d9\"/>\n",
              box.low.x, box.low.y, box.width(), box.height()) +
-         picture::panel(complex, frame, pen, marks) + labelled_rings(places, box);
+         svg::panel(complex, frame, pen, marks) + labelled_rings(places, box);
 }
 
 std::string panel_title(const Box& box, const std::string& title, const Counts& counts) {
@@ -109,65 +109,66 @@ std::string panel_title(const Box& box, const std::string& title, const Counts& 
 std::string legend(const Layout& where, const Check& check) {
   const double y = where.height - kLegend / 2;
   const std::size_t deepest =
-      std::max(check.crosscheck.exact_counts.depth, check.crosscheck.float_counts.depth);
+      std::max(check.comparison.exact_counts.depth, check.comparison.float_counts.depth);
   double x = kMargin;
   std::string svg = text(x, y + 5, 14, "", "depth");
   x += 52;
-  for (std::size_t depth = 1; depth <= std::min(deepest, picture::kDepthColours.size()); ++depth) {
+  for (std::size_t depth = 1; depth <= std::min(deepest, svg::kDepthColours.size()); ++depth) {
     fmt::format_to(Out(svg),
                    "<rect x=\"{}\" y=\"{}\" width=\"18\" height=\"14\" fill=\"{}\" stroke=\"{}\" "
                    "stroke-width=\"0.5\"/>\n",
-                   x, y - 7, picture::kDepthColours[depth - 1], picture::kInk);
-    const bool is_last_colour = depth == picture::kDepthColours.size() && depth < deepest;
+                   x, y - 7, svg::kDepthColours[depth - 1], svg::kInk);
+    const bool is_last_colour = depth == svg::kDepthColours.size() && depth < deepest;
     svg += text(x + 24, y + 5, 14, "", std::to_string(depth) + (is_last_colour ? "+" : ""));
     x += 52;
   }
   fmt::format_to(Out(svg),
                  "<path d=\"M{} {}h36\" stroke=\"{}\" stroke-width=\"1.5\" "
                  "stroke-dasharray=\"4\"/>\n",
-                 x + 12, y, picture::kInk);
+                 x + 12, y, svg::kInk);
   svg += text(x + 56, y + 5, 14, "", "antenna");
   fmt::format_to(Out(svg),
                  "<circle cx=\"{}\" cy=\"{}\" r=\"8\" fill=\"none\" stroke=\"{}\" "
                  "stroke-width=\"1.6\"/>\n",
-                 x + 142, y, picture::kMark);
+                 x + 142, y, svg::kMark);
   svg += text(x + 158, y + 5, 14, "", "finding, with its number in the report");
   return svg;
 }
 
 std::string header(const Check& check, const Layout& where) {
-  const Crosscheck& c = check.crosscheck;
+  const Comparison& c = check.comparison;
   std::string words = verdict(c);
   if (!check.input.files.empty())
     words = std::filesystem::path(check.input.files.front()).filename().string() + ": " + words;
   if (!c.float_valid) words += "; the float result is not a valid complex";
-  const std::string colour = c.agree() ? picture::kInk : picture::kMark;
+  const std::string colour = c.agree() ? svg::kInk : svg::kMark;
   return text(kMargin, 40, 24, " font-weight=\"bold\" fill=\"" + colour + "\"", words) +
          text(kWidth - kMargin, 40, 16, " text-anchor=\"end\"",
               "tolerance " + shortest_text(c.tolerance)) +
          panel_title(where.left, "exact", c.exact_counts) +
          panel_title(
              where.right,
-             check.radius ? "float LAR, radius " + shortest_text(*check.radius) : check.result,
+             check.answer.title +
+                 (check.answer.radius ? ", radius " + shortest_text(*check.answer.radius) : ""),
              c.float_counts);
 }
 
 }  // namespace
 
-std::string report_svg(const Check& check) {
+std::string to_svg(const Check& check) {
   const FloatComplex exact_rounded = nearest(check.exact_complex);
-  const Layout where = layout(exact_rounded, check.float_complex);
-  const Crosscheck& c = check.crosscheck;
+  const Layout where = layout(exact_rounded, check.answer.complex);
+  const Comparison& c = check.comparison;
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
              "viewBox=\"0 0 {0} {1:.0f}\" font-family=\"DejaVu Sans, Arial, sans-serif\" "
              "fill=\"{2}\">\n<rect width=\"{0}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n",
-             kWidth, where.height, picture::kInk) +
+             kWidth, where.height, svg::kInk) +
          header(check, where) +
          drawn_panel(where.left, where, exact_rounded,
                      marks_of(c, check.exact_complex, &Finding::exact_cells), check) +
-         drawn_panel(where.right, where, check.float_complex,
-                     marks_of(c, check.float_complex, &Finding::float_cells), check) +
+         drawn_panel(where.right, where, check.answer.complex,
+                     marks_of(c, check.answer.complex, &Finding::float_cells), check) +
          legend(where, check) + "</svg>\n";
 }
 

@@ -23,13 +23,13 @@ std::vector<Line> rounded(const SegmentSet& input) {
   return lines;
 }
 
-picture::Box bounds(const std::vector<Line>& lines) {
+svg::Box bounds(const std::vector<Line>& lines) {
   FloatComplex ends;  // nothing but its vertices
   for (const Line& line : lines) {
     ends.vertices.push_back(line.a);
     ends.vertices.push_back(line.b);
   }
-  return picture::bounds(ends);
+  return svg::bounds(ends);
 }
 
 }  // namespace
@@ -37,19 +37,19 @@ picture::Box bounds(const std::vector<Line>& lines) {
 std::string to_svg(const SegmentSet& input) {
   constexpr double kMargin = 0.02;
   const std::vector<Line> lines = rounded(input);
-  const picture::Box box = picture::widened(bounds(lines), kMargin);
+  const svg::Box box = svg::widened(bounds(lines), kMargin);
   std::string svg =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" + picture::coordinates(box.low) + ' ' +
-      picture::coordinates({box.width(), box.height()}) + "\">\n<g fill=\"none\" stroke=\"" +
-      picture::kInk + "\" stroke-linecap=\"round\" stroke-width=\"" +
-      shortest_text(picture::pen_width(box)) + "\">\n";
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" + svg::coordinates(box.low) + ' ' +
+      svg::coordinates({box.width(), box.height()}) + "\">\n<g fill=\"none\" stroke=\"" +
+      svg::kInk + "\" stroke-linecap=\"round\" stroke-width=\"" +
+      shortest_text(svg::pen_width(box)) + "\">\n";
   for (std::size_t s = 0; s < lines.size();) {
     svg += "<path d=\"";
     const SourceId source = input.segment_source[s];
     const PointD* end = nullptr;
     for (; s < lines.size() && input.segment_source[s] == source; ++s) {
-      if (end == nullptr || !(*end == lines[s].a)) svg += 'M' + picture::coordinates(lines[s].a);
-      svg += 'L' + picture::coordinates(lines[s].b);
+      if (end == nullptr || !(*end == lines[s].a)) svg += 'M' + svg::coordinates(lines[s].a);
+      svg += 'L' + svg::coordinates(lines[s].b);
       end = &lines[s].b;
     }
     svg += "\"/>\n";

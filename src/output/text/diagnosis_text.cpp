@@ -74,7 +74,7 @@ void append_tolerances(std::string& text, const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string report_text(const Diagnosis& diagnosis, const SegmentSet& input, std::size_t limit) {
+std::string to_text(const Diagnosis& diagnosis, const SegmentSet& input, std::size_t limit) {
   std::size_t total = 0;
   for (const std::size_t found : diagnosis.found) total += found;
   std::string text = fmt::format("{} defects; near means within {}; {} loose ends\n", total,

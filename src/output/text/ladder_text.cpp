@@ -74,8 +74,7 @@ std::string distance_text(const Rational& squared) {
   return exact == nearly ? exact : fmt::format("{} = {}", exact, nearly);
 }
 
-std::string ladder_text(const ToleranceLadder& ladder, const ExactComplex& complex,
-                        std::size_t limit) {
+std::string to_text(const ToleranceLadder& ladder, const ExactComplex& complex, std::size_t limit) {
   std::string text = "tolerance ladder: what is no further apart than the radius counts as one\n";
   fmt::format_to(Out(text), "  {:>12}{:>10}{:>10}{:>10}  {}\n", "radius", "vertices", "edges",
                  "faces", "what is that near");
@@ -108,7 +107,7 @@ std::string advice_text(const Check& check, std::size_t limit) {
                      at(complex, complex.edges[size->edge].head));
   }
   if (check.right_radii) append_right_radii(text, *check.right_radii);
-  return text + ladder_text(*check.ladder, complex, limit);
+  return text + to_text(*check.ladder, complex, limit);
 }
 
 }  // namespace plumbline

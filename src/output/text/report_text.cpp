@@ -27,10 +27,9 @@ using Out = std::back_insert_iterator<std::string>;
 std::string number(double value) { return fmt::format("{:.6g}", value); }
 
 void append_counts(std::string& text, const Check& check) {
-  const Crosscheck& c = check.crosscheck;
-  const std::string answer = check.radius ? "float LAR" : "the result";
+  const Comparison& c = check.comparison;
   fmt::format_to(Out(text), "\n{:<18}{:>13}{:>14}{:>12}\n", "", "as authored", "over doubles",
-                 answer);
+                 check.answer.short_title);
   for (const CountRow& row : count_rows()) {
     std::string name = row.name;
     std::replace(name.begin(), name.end(), '_', ' ');
@@ -67,32 +66,46 @@ std::string kinds(const std::vector<const Finding*>& findings) {
 }
 
 /// What rounding alone would change.
-void append_conversion(std::string& text, const Crosscheck& conversion) {
+void append_conversion(std::string& text, const Comparison& conversion) {
   if (conversion.agree()) return;
   std::vector<const Finding*> findings;
   for (const Finding& finding : conversion.findings) findings.push_back(&finding);
   fmt::format_to(Out(text), "rounding the input to doubles alone changes: {}\n", kinds(findings));
 }
 
-/// One row per stage and rule, the most frequent first.
-void append_causes(std::string& text, const std::vector<Finding>& findings) {
-  std::map<std::tuple<Stage, std::size_t, std::string>, std::vector<const Finding*>> by_cause;
-  for (const Finding& finding : findings)
-    if (finding.cause)
-      by_cause[{finding.cause->stage, finding.cause->round, finding.cause->rule}].push_back(
-          &finding);
-  if (by_cause.empty()) return;
+/// Where the stage stands: what happens before the engine, its stages, the engine as a whole.
+std::size_t place_of(const std::string& stage, const Answer& answer) {
+  if (stage == kParse) return 0;
+  if (stage == kTransform) return 1;
+  const auto found = std::find(answer.stages.begin(), answer.stages.end(), stage);
+  return 2 + static_cast<std::size_t>(found - answer.stages.begin());
+}
+
+/// One row per stage and rule, in their order.
+void append_causes(std::string& text, const Check& check) {
+  struct Row {
+    std::string stage;
+    std::vector<const Finding*> findings;
+    std::size_t confirmed = 0;
+  };
+  std::map<std::tuple<std::size_t, std::size_t, std::string>, Row> rows;
+  for (std::size_t i = 0; i < check.causes.size(); ++i) {
+    const Cause& cause = check.causes[i];
+    Row& row = rows[{place_of(cause.stage, check.answer), cause.round, cause.rule}];
+    row.stage = cause.stage;
+    row.findings.push_back(&check.comparison.findings[i]);
+    if (cause.confirmed) ++row.confirmed;
+  }
+  if (rows.empty()) return;
   text += "\nwhere they come from\n";
-  for (const auto& [cause, of_cause] : by_cause) {
-    const auto& [stage, round, rule] = cause;
-    const auto confirmed = std::count_if(of_cause.begin(), of_cause.end(),
-                                         [](const Finding* f) { return f->cause->confirmed; });
-    fmt::format_to(Out(text), "  {}{}, {}: {} ({}{})\n", to_text(stage),
-                   round == 0 ? "" : fmt::format(" in round {}", round), rule, of_cause.size(),
-                   kinds(of_cause),
-                   static_cast<std::size_t>(confirmed) == of_cause.size()
+  for (const auto& [place, row] : rows) {
+    const auto& [order, round, rule] = place;
+    fmt::format_to(Out(text), "  {}{}, {}: {} ({}{})\n", row.stage,
+                   round == 0 ? "" : fmt::format(" in round {}", round), rule, row.findings.size(),
+                   kinds(row.findings),
+                   row.confirmed == row.findings.size()
                        ? ""
-                       : fmt::format("; {} of them confirmed", confirmed));
+                       : fmt::format("; {} of them confirmed", row.confirmed));
   }
 }
 
@@ -144,30 +157,31 @@ void append_inputs(std::string& text, const SegmentSet& input, const Finding& fi
     fmt::format_to(Out(text), "      and {} more\n", sources.size() - shown);
 }
 
-void append_finding(std::string& text, const SegmentSet& input, const Finding& finding,
-                    std::size_t finding_number) {
-  fmt::format_to(Out(text), "{:>4}. {} {}", finding_number, to_text(finding.kind),
+void append_finding(std::string& text, const Check& check, std::size_t i) {
+  const Finding& finding = check.comparison.findings[i];
+  fmt::format_to(Out(text), "{:>4}. {} {}", i + 1, to_text(finding.kind),
                  to_text(finding.disagreement));
   if (finding.kind != CellKind::Complex) {
     const PointD place = nearest(finding.where);
     fmt::format_to(Out(text), " at ({}, {})", number(place.x), number(place.y));
   }
   fmt::format_to(Out(text), ": {}\n", line_text(finding.message));
-  if (const auto& cause = finding.cause) {
-    fmt::format_to(Out(text), "      {}: {}", to_text(cause->stage), line_text(cause->explanation));
-    if (!cause->advice.empty()) fmt::format_to(Out(text), "; {}", line_text(cause->advice));
+  if (i < check.causes.size()) {
+    const Cause& cause = check.causes[i];
+    fmt::format_to(Out(text), "      {}: {}", cause.stage, line_text(cause.explanation));
+    if (!cause.advice.empty()) fmt::format_to(Out(text), "; {}", line_text(cause.advice));
     text += '\n';
   }
-  append_inputs(text, input, finding);
+  append_inputs(text, check.input, finding);
 }
 
 }  // namespace
 
-std::string report_text(const Check& check, std::size_t limit) {
-  const Crosscheck& c = check.crosscheck;
+std::string to_text(const Check& check, std::size_t limit) {
+  const Comparison& c = check.comparison;
   std::string text = verdict(c) + '\n';
   append_counts(text, check);
-  if (check.radius) fmt::format_to(Out(text), "radius {}, ", number(*check.radius));
+  if (check.answer.radius) fmt::format_to(Out(text), "radius {}, ", number(*check.answer.radius));
   fmt::format_to(Out(text), "tolerance {}, largest displacement {}\n", number(c.tolerance),
                  number(c.largest_displacement));
   if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
@@ -175,10 +189,10 @@ std::string report_text(const Check& check, std::size_t limit) {
   append_ledger(text, check.input.ledger);
   append_conversion(text, check.conversion);
   if (c.agree()) return text + advice_text(check, kShownSteps);
-  append_causes(text, c.findings);
+  append_causes(text, check);
   text += '\n';
   const std::size_t shown = std::min(c.findings.size(), limit);
-  for (std::size_t i = 0; i < shown; ++i) append_finding(text, check.input, c.findings[i], i + 1);
+  for (std::size_t i = 0; i < shown; ++i) append_finding(text, check, i);
   if (shown < c.findings.size())
     fmt::format_to(Out(text), "... and {} more (see -o report.json)\n", c.findings.size() - shown);
   return text + advice_text(check, kShownSteps);

@@ -8,11 +8,11 @@
 
 namespace plumbline {
 
-std::string verdict(const Crosscheck& crosscheck) {
-  const std::size_t count = crosscheck.findings.size();
+std::string verdict(const Comparison& comparison) {
+  const std::size_t count = comparison.findings.size();
   std::string text = count == 0 ? "agree" : fmt::format("disagree: {} finding", count);
   if (count > 1) text += 's';
-  if (crosscheck.compared == Compared::Graph) text += " (vertices and edges alone: no faces)";
+  if (comparison.compared == Compared::Graph) text += " (vertices and edges alone: no faces)";
   return text;
 }
 

@@ -8,7 +8,7 @@
 namespace plumbline {
 
 /// "agree", or "disagree: 3 findings"; also where only the graph is compared.
-std::string verdict(const Crosscheck& crosscheck);
+std::string verdict(const Comparison& comparison);
 
 /// A row of the table of counts.
 struct CountRow {

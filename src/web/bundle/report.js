@@ -202,8 +202,8 @@ let px=centres&&size2<1?centres[2*face]+(x-centres[2*face])/size2:x,py=centres&&
 complex.cells.faceDepth[found]||found===0)&&isInside(complex,face,px,py)&&(found=face)}return found}function isInside(complex,face,x,y){
 let{begin,values}=complex.cells.cycles,inside=!1;for(let cycle of complex.cyclesOf(face))for(let i=begin[cycle];i<begin[cycle+
 1];++i){let tail=complex.originOf(values[i]),head=complex.originOf(values[i]^1),[ay,by]=[complex.y[tail],complex.y[head]];
-if(ay>y==by>y)continue;let ax=complex.x[tail];x<ax+(y-ay)/(by-ay)*(complex.x[head]-ax)&&(inside=!inside)}return inside}var complexTitle={authored:"as authored",doubles:"over the doubles",float:"float result"};function resultTitle(report){return report.
-radius===null?report.result:`float LAR, ${report.result}`}var shownSources=4,shownFindings=3,distanceFromPointer=16,Hover=class{constructor(tip,view,drawing,scene,overlay,readout,choose){
+if(ay>y==by>y)continue;let ax=complex.x[tail];x<ax+(y-ay)/(by-ay)*(complex.x[head]-ax)&&(inside=!inside)}return inside}var complexTitle={authored:"as authored",doubles:"over the doubles",float:"float result"};function answerTitle(report){return report.
+engine.title}var shownSources=4,shownFindings=3,distanceFromPointer=16,Hover=class{constructor(tip,view,drawing,scene,overlay,readout,choose){
 this.tip=tip;this.view=view;this.drawing=drawing;this.scene=scene;this.overlay=overlay;this.readout=readout;this.x=0;this.
 y=0;this.scheduled=!1;let stage=view.stage;stage.addEventListener("pointermove",event=>this.at(event)),stage.addEventListener(
 "pointerleave",()=>this.clear()),stage.addEventListener("pointerdown",()=>this.clear()),stage.addEventListener("click",event=>{
@@ -1758,7 +1758,7 @@ addEventListener("afterprint",()=>prepare(!1)),print.addEventListener("change",(
 prefers-color-scheme: dark)").addEventListener("change",()=>prepare(print.matches))}var rows=[["vertices","vertices"],["edges","edges"],["faces","faces"],["holes","holes"],["depth","nesting depth"],["comp\
 onents","components"],["antennas","antennas"],["isolated_vertices","isolated vertices"]];function showHead(report,title,verdict,facts){
 title.textContent=report.files.join(", ")||"drawing";let agrees=report.verdict==="agree";verdict.textContent=agrees?"Agr\
-ee":`Disagree: ${plural(report.findings.length,"finding")}`,verdict.className=agrees?"agree":"disagree";let parts=[resultTitle(
+ee":`Disagree: ${plural(report.findings.length,"finding")}`,verdict.className=agrees?"agree":"disagree";let parts=[answerTitle(
 report)];report.compared==="graph"&&parts.push("vertices and edges alone are compared: the result has no faces"),report.
 radius!==null&&parts.push(`radius ${number(report.radius)}`),report.tolerance!==report.radius&&parts.push(`tolerance ${number(
 report.tolerance)}`),report.right_radii&&parts.push(`right for radii from ${number(report.right_radii[0])} to ${number(report.

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <limits>
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
 
 using lar::VertexPair;
-using lar::published::Trace;
 
 /// Area of the box.
 double extent(const Trace& trace, const std::vector<VertexPair>& component) {
@@ -32,10 +31,10 @@ double distance(const PointD& p, const SegmentD& s) {
 
 }  // namespace
 
-DroppedEdges::DroppedEdges(const Trace& trace, PublishedResult result, const EdgeSources& sources) {
-  if (result == PublishedResult::CellsFromCycles) return;
+DroppedEdges::DroppedEdges(const Trace& trace, Result result, const EdgeSources& sources) {
+  if (result == Result::CellsFromCycles) return;
   for (const VertexPair& edge : trace.bridges) add(trace, edge, Why::NoCycle, sources);
-  if (result == PublishedResult::LarFromLines && !trace.components.empty()) {
+  if (result == Result::LarFromLines && !trace.components.empty()) {
     // The first of those with most edges is kept.
     const auto kept =
         std::max_element(trace.components.begin(), trace.components.end(),
@@ -72,4 +71,4 @@ std::optional<DroppedEdges::Why> DroppedEdges::nearest_to(
   return result;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

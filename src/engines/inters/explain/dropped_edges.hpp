@@ -5,7 +5,7 @@
 
 #include "engines/inters/explain/work.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 
 /// The edges that the published pipeline leaves out of a result.
 class DroppedEdges {
@@ -16,8 +16,7 @@ class DroppedEdges {
     LargerExtent,  ///< of a component with fewer edges, but a larger box
   };
 
-  DroppedEdges(const lar::published::Trace& trace, PublishedResult result,
-               const EdgeSources& sources);
+  DroppedEdges(const Trace& trace, Result result, const EdgeSources& sources);
 
   /// Why the nearest dropped edge that is part of one of the segments is missing; none if no edge
   /// of them is.
@@ -28,11 +27,10 @@ class DroppedEdges {
     SegmentD segment;
     Why why;
   };
-  void add(const lar::published::Trace& trace, const lar::VertexPair& edge, Why why,
-           const EdgeSources& sources);
+  void add(const Trace& trace, const lar::VertexPair& edge, Why why, const EdgeSources& sources);
 
   std::vector<DroppedEdge> edges_;
   std::vector<std::pair<SegmentId, std::size_t>> by_segment_;
 };
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

@@ -6,10 +6,8 @@
 
 #include "engines/inters/explain/run.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
-
-using lar::published::Failure;
 
 std::string text(const Failure& failure) {
   if (failure.error == "NoTermination")
@@ -17,13 +15,13 @@ std::string text(const Failure& failure) {
   return fmt::format("{} fails with {}: {}", failure.function, failure.error, failure.message);
 }
 
-const char* key(PublishedResult result) {
+const char* key(Result result) {
   switch (result) {
-    case PublishedResult::LarFromLines:
+    case Result::LarFromLines:
       return "larFromLines";
-    case PublishedResult::AllComponents:
+    case Result::AllComponents:
       return "allComponents";
-    case PublishedResult::CellsFromCycles:
+    case Result::CellsFromCycles:
       return "latticeArray";
   }
   return "";
@@ -35,76 +33,82 @@ void set(Cause& cause, const char* rule, const char* explanation, const char* ad
   cause.advice = advice;
 }
 
-Finding about_complex(Disagreement disagreement, std::string message, Stage stage) {
-  Finding finding;
-  finding.kind = CellKind::Complex;
-  finding.disagreement = disagreement;
-  finding.message = std::move(message);
-  finding.cause = Cause{};
-  finding.cause->stage = stage;
-  finding.cause->confirmed = true;  // the exact counterpart always has a result
-  return finding;
+Explained about_complex(Disagreement disagreement, std::string message, Stage stage) {
+  Explained result;
+  result.finding.kind = CellKind::Complex;
+  result.finding.disagreement = disagreement;
+  result.finding.message = std::move(message);
+  result.cause.stage = to_text(stage);
+  result.cause.confirmed = true;  // the exact counterpart always has a result
+  return result;
 }
 
-Finding no_cycle() {
-  Finding finding = about_complex(Disagreement::Missing,
-                                  "the published pipeline has no result: there is no cycle",
-                                  Stage::ComponentFilter);
-  set(*finding.cause, "no-cycle", "where there is no cycle, nothing is returned",
+Explained no_cycle() {
+  Explained result = about_complex(Disagreement::Missing,
+                                   "the published pipeline has no result: there is no cycle",
+                                   Stage::ComponentFilter);
+  set(result.cause, "no-cycle", "where there is no cycle, nothing is returned",
       "return the vertices and edges, and the unbounded face");
-  return finding;
+  return result;
 }
 
 }  // namespace
 
 /// The failure as a finding; its rule is filled in for the stages that have only one.
-Finding PublishedRun::failure(const Failure& failure) const {
-  Finding finding =
-      about_complex(Disagreement::Missing, "the published pipeline has no result: " + text(failure),
-                    Stage::FaceWalk);
-  Cause& cause = *finding.cause;
-  if (failure.stage == "buckets") {
-    cause.stage = Stage::Bucket;
-    explain(finding, cause);
-  } else if (failure.stage == "components") {
+Explained ExplainedRun::failure(const Failure& failure) const {
+  const auto missing = [&](Stage stage) {
+    return about_complex(Disagreement::Missing,
+                         "the published pipeline has no result: " + text(failure), stage);
+  };
+  const auto by_stage = [&](Stage stage) {
+    Explained result = missing(stage);
+    result.cause = explained(result.finding, std::move(result.cause));
+    return result;
+  };
+  if (failure.stage == "buckets") return by_stage(Stage::Bucket);
+  if (failure.stage == "components") {
     const bool had_edges =
         std::any_of(trace_.raw.edges.begin(), trace_.raw.edges.end(),
                     [](const lar::VertexPair& edge) { return edge[0] != edge[1]; });
-    cause.stage = had_edges ? Stage::Prune : Stage::Quantise;
-    explain(finding, cause);
-  } else if (failure.error == "Limit") {
-    cause.stage = Stage::Nesting;
-    set(cause, "limit", "every cycle would be compared with every other one", "arrange exactly");
-  } else if (failure.stage == "latticeArray") {
-    cause.stage = Stage::Nesting;
-    set(cause, "simple-cycles-only",
+    return by_stage(had_edges ? Stage::Prune : Stage::Quantise);
+  }
+  if (failure.error == "Limit") {
+    Explained result = missing(Stage::Nesting);
+    set(result.cause, "limit", "every cycle would be compared with every other one",
+        "arrange exactly");
+    return result;
+  }
+  if (failure.stage == "latticeArray") {
+    Explained result = missing(Stage::Nesting);
+    set(result.cause, "simple-cycles-only",
         "the lattice of containment can walk components only that are simple cycles",
         "classify the outer boundaries of the components");
-  } else if (trace_.components.empty()) {
-    return no_cycle();
-  } else {
-    explain_walk(cause);
+    return result;
   }
-  return finding;
+  if (trace_.components.empty()) return no_cycle();
+  Explained result = missing(Stage::FaceWalk);
+  explain_walk(result.cause);
+  return result;
 }
 
-std::vector<Finding> PublishedRun::failures() const {
-  std::vector<Finding> result;
+std::vector<Explained> ExplainedRun::failures() const {
+  std::vector<Explained> result;
   const auto failed =
       std::find_if(trace_.failures.begin(), trace_.failures.end(), [&](const Failure& failure) {
         return failure.stage == "buckets" || failure.stage == "components" ||
                failure.stage == key(result_);
       });
-  if (failed != trace_.failures.end())
+  if (failed != trace_.failures.end()) {
     result.push_back(failure(*failed));
-  else if (!has_result(trace_, result_))
+  } else if (!has_result(trace_, result_)) {
     result.push_back(no_cycle());
+  }
   const auto add = [&](Disagreement disagreement, const char* message, const char* rule,
                        const char* explanation) {
-    Finding finding = about_complex(disagreement, message, Stage::FaceWalk);
-    set(*finding.cause, rule, explanation,
+    Explained walk = about_complex(disagreement, message, Stage::FaceWalk);
+    set(walk.cause, rule, explanation,
         "cut and merge until nothing changes, as the repaired pipeline does");
-    result.push_back(std::move(finding));
+    result.push_back(std::move(walk));
   };
   if (walk_.aborted)
     add(Disagreement::Missing, "the face walk stopped early: the rest of the faces is missing",
@@ -119,4 +123,4 @@ std::vector<Finding> PublishedRun::failures() const {
   return result;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

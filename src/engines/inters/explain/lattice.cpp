@@ -8,14 +8,11 @@
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
 
 using lar::Position;
-using lar::published::Classification;
-using lar::published::Polyline;
-using lar::published::Trace;
-using Fault = PublishedLattice::Fault;
+using Fault = Lattice::Fault;
 
 int entry(Position position) {
   return position == Position::In ? 1 : position == Position::On ? -1 : 0;
@@ -33,20 +30,18 @@ std::vector<PointD> corners(const Trace& trace, std::size_t component) {
 
 /// Of cycle h in polygon k.
 std::optional<Fault> fault(const Trace& trace, std::size_t k, std::size_t h) {
-  const lar::published::Vcode vcode(trace.options.decimals);
+  const Vcode vcode(trace.options.decimals);
   const int found = (*trace.lattice)[k][h];
   const PointD& looked_at = trace.lar.vertices[trace.components[h].front()[0]];
   const std::vector<PointD> polygon = corners(trace, k);
   const int right = entry(lar::classify_points(polygon, {&looked_at, 1}).front());
   if (found == right) return right == -1 ? std::optional(Fault::OnBoundary) : std::nullopt;
   if (right == -1) return Fault::Unrounded;
-  const auto polylines =
-      lar::published::boundary_polylines(trace.lar.vertices, trace.components[k], vcode);
+  const auto polylines = boundary_polylines(trace.lar.vertices, trace.components[k], vcode);
   const std::vector<PointD> cycle = corners(trace, h);
   const std::vector<Position> positions = lar::classify_points(polygon, cycle);
   for (std::size_t i = 0; i < cycle.size(); ++i)
-    if (entry(lar::published::classify(polylines, cycle[i])) == entry(positions[i]))
-      return Fault::OneVertex;
+    if (entry(classify(polylines, cycle[i])) == entry(positions[i])) return Fault::OneVertex;
   return Fault::Crossings;
 }
 
@@ -71,9 +66,8 @@ std::vector<VertexId> ring(std::span<const lar::VertexPair> cycle) {
   return result;
 }
 
-PublishedLattice::PublishedLattice(const Trace& trace, PublishedResult result,
-                                   const EdgeSources& sources) {
-  if (result != PublishedResult::CellsFromCycles || !trace.lattice) return;
+Lattice::Lattice(const Trace& trace, Result result, const EdgeSources& sources) {
+  if (result != Result::CellsFromCycles || !trace.lattice) return;
   const std::size_t n = trace.components.size();
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t h = 0; h < n; ++h) {
@@ -89,7 +83,7 @@ PublishedLattice::PublishedLattice(const Trace& trace, PublishedResult result,
   }
 }
 
-Fault PublishedLattice::fault_at(std::span<const SegmentId> segments) const {
+Fault Lattice::fault_at(std::span<const SegmentId> segments) const {
   for (const SegmentId s : segments) {
     const auto [begin, end] = components_of_.equal_range(s);
     for (auto it = begin; it != end; ++it)
@@ -98,4 +92,4 @@ Fault PublishedLattice::fault_at(std::span<const SegmentId> segments) const {
   return Fault::Alternates;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

@@ -6,10 +6,10 @@
 
 #include "engines/inters/explain/work.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 
 /// What is wrong in the published containment lattice, and which cycles it concerns.
-class PublishedLattice {
+class Lattice {
  public:
   enum class Fault {
     Alternates,  ///< nothing: solid and void alternate by design
@@ -20,8 +20,7 @@ class PublishedLattice {
   };
 
   /// Looks at nothing but CellsFromCycles. Cost: as the lattice.
-  PublishedLattice(const lar::published::Trace& trace, PublishedResult result,
-                   const EdgeSources& sources);
+  Lattice(const Trace& trace, Result result, const EdgeSources& sources);
 
   /// The first fault that concerns a cycle with one of the segments.
   Fault fault_at(std::span<const SegmentId> segments) const;
@@ -34,4 +33,4 @@ class PublishedLattice {
 /// The corners of a component that is a simple cycle, in the order of the walk.
 std::vector<VertexId> ring(std::span<const lar::VertexPair> cycle);
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

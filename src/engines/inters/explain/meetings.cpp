@@ -11,12 +11,9 @@
 
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
 
-using lar::published::Fragment;
-using lar::published::Trace;
-using lar::published::Vcode;
 using Kind = MissedMeeting::Kind;
 
 /// Sine of an angle below which two segments count as parallel.
@@ -183,22 +180,22 @@ const MissedMeeting* nearest_of(const std::vector<MissedMeeting>& meetings,
 
 }  // namespace
 
-PublishedMeetings::PublishedMeetings(const Trace& trace) : meetings_(Search(trace).run()) {
+Meetings::Meetings(const Trace& trace) : meetings_(Search(trace).run()) {
   for (std::size_t i = 0; i < meetings_.size(); ++i)
     for (const SegmentId s : {meetings_[i].first, meetings_[i].second})
       by_segment_.emplace_back(s, i);
   std::sort(by_segment_.begin(), by_segment_.end());
 }
 
-const MissedMeeting* PublishedMeetings::nearest_to(const PointD& p,
-                                                   std::span<const SegmentId> segments) const {
+const MissedMeeting* Meetings::nearest_to(const PointD& p,
+                                          std::span<const SegmentId> segments) const {
   return nearest_of(meetings_, by_segment_, p, segments, [](const auto&) { return true; });
 }
 
-const MissedMeeting* PublishedMeetings::near_miss(const PointD& p,
-                                                  std::span<const SegmentId> segments) const {
+const MissedMeeting* Meetings::near_miss(const PointD& p,
+                                         std::span<const SegmentId> segments) const {
   return nearest_of(meetings_, by_segment_, p, segments,
                     [](const MissedMeeting& m) { return m.kind == Kind::NearMiss; });
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

@@ -5,7 +5,7 @@
 
 #include "plumbline/engines/inters.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 
 /// Two input segments that meet, or nearly so, and were not cut in one common point.
 struct MissedMeeting {
@@ -22,10 +22,10 @@ struct MissedMeeting {
 };
 
 /// Where the published intersection of a run went wrong.
-class PublishedMeetings {
+class Meetings {
  public:
   /// Cost: O(members of buckets).
-  explicit PublishedMeetings(const lar::published::Trace& trace);
+  explicit Meetings(const Trace& trace);
 
   /// Of those with one of the segments the one nearest to p; none where there is none.
   const MissedMeeting* nearest_to(const PointD& p, std::span<const SegmentId> segments) const;
@@ -37,4 +37,4 @@ class PublishedMeetings {
   std::vector<std::pair<SegmentId, std::size_t>> by_segment_;
 };
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

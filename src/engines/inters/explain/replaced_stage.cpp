@@ -7,14 +7,10 @@
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
 
 using lar::VertexPair;
-using lar::published::Model;
-using lar::published::Pruned;
-using lar::published::Trace;
-using lar::published::Vcode;
 
 /// A run as far as it got, with the sources of its edges.
 struct Rerun {
@@ -41,83 +37,79 @@ Lists<SegmentId> all_partners(const std::vector<lar::Box>& boxes) {
 }
 
 /// The stages from the components on. What fails is left out, as in `run`.
-void find_faces(Trace& trace, PublishedResult result) {
+void find_faces(Trace& trace, Result result) {
   const Vcode vcode(trace.options.decimals);
   trace.largest.reset();
   trace.lar_from_lines.reset();
   trace.all_components.reset();
   trace.cells.reset();
   try {
-    if (result == PublishedResult::LarFromLines && !trace.components.empty()) {
-      trace.largest = lar::published::largest_component_faces(trace.lar, trace.components, vcode);
-      trace.lar_from_lines = lar::published::without_exterior(*trace.largest);
-    } else if (result == PublishedResult::AllComponents) {
-      trace.all_components =
-          lar::published::all_component_faces(trace.lar, trace.components, vcode);
-    } else if (result == PublishedResult::CellsFromCycles && !trace.components.empty() &&
-               trace.components.size() <= lar::published::kMaxLattice) {
-      trace.cells = lar::published::cells_from_cycles(
-          lar::published::lattice_array(trace.lar.vertices, trace.components, vcode));
+    if (result == Result::LarFromLines && !trace.components.empty()) {
+      trace.largest = largest_component_faces(trace.lar, trace.components, vcode);
+      trace.lar_from_lines = without_exterior(*trace.largest);
+    } else if (result == Result::AllComponents) {
+      trace.all_components = all_component_faces(trace.lar, trace.components, vcode);
+    } else if (result == Result::CellsFromCycles && !trace.components.empty() &&
+               trace.components.size() <= kMaxLattice) {
+      trace.cells = cells_from_cycles(lattice_array(trace.lar.vertices, trace.components, vcode));
     }
-  } catch (const lar::published::StageFailure&) {
+  } catch (const StageFailure&) {
     return;
   }
 }
 
-void find_components(Trace& trace, PublishedResult result) {
+void find_components(Trace& trace, Result result) {
   trace.components.clear();
   trace.bridges.clear();
   try {
-    lar::published::Biconnected found = lar::published::biconnected_components(trace.lar);
+    Biconnected found = biconnected_components(trace.lar);
     trace.components = std::move(found.components);
     trace.bridges = std::move(found.bridges);
-  } catch (const lar::published::StageFailure&) {
+  } catch (const StageFailure&) {
     // No edge: then there is no component either.
   }
   find_faces(trace, result);
 }
 
-void prune(Rerun& rerun, PublishedResult result) {
+void prune(Rerun& rerun, Result result) {
   Trace& trace = rerun.trace;
-  trace.prune = lar::published::prune_vertices(trace.raw.vertices, trace.options.radius);
-  trace.lar = lar::published::simplify(trace.raw, trace.prune);
+  trace.prune = prune_vertices(trace.raw.vertices, trace.options.radius);
+  trace.lar = simplify(trace.raw, trace.prune);
   rerun.sources = lar_sources(trace, rerun.raw_sources);
   find_components(trace, result);
 }
 
-void without_quantisation(Rerun& rerun, PublishedResult result) {
+void without_quantisation(Rerun& rerun, Result result) {
   Trace& trace = rerun.trace;
   const Vcode rounded(trace.options.decimals);
-  trace.options.decimals = lar::published::kMaxDecimals;
+  trace.options.decimals = kMaxDecimals;
   const Vcode fine(trace.options.decimals);
-  trace.boxes = lar::published::containment_boxes(trace.lines, fine);
+  trace.boxes = containment_boxes(trace.lines, fine);
   if (trace.lines.empty()) return;
   trace.buckets = all_partners(trace.boxes);
-  trace.fragments =
-      lar::published::line_intersection(trace.lines, trace.boxes, trace.buckets, fine).fragments;
-  for (lar::published::Fragment& fragment : trace.fragments) {
+  trace.fragments = line_intersection(trace.lines, trace.boxes, trace.buckets, fine).fragments;
+  for (Fragment& fragment : trace.fragments) {
     for (double& parameter : fragment.parameters) parameter = rounded.quantised(parameter);
     auto& all = fragment.parameters;
     all.erase(std::unique(all.begin(), all.end()), all.end());
   }
-  trace.raw = lar::published::split(trace.fragments, fine).model;
+  trace.raw = split(trace.fragments, fine).model;
   rerun.raw_sources = raw_sources(trace);
   prune(rerun, result);
 }
 
-void with_all_buckets(Rerun& rerun, PublishedResult result) {
+void with_all_buckets(Rerun& rerun, Result result) {
   Trace& trace = rerun.trace;
   const Vcode vcode(trace.options.decimals);
   if (trace.lines.empty()) return;
   trace.buckets = all_partners(trace.boxes);
-  trace.fragments =
-      lar::published::line_intersection(trace.lines, trace.boxes, trace.buckets, vcode).fragments;
-  trace.raw = lar::published::split(trace.fragments, vcode).model;
+  trace.fragments = line_intersection(trace.lines, trace.boxes, trace.buckets, vcode).fragments;
+  trace.raw = split(trace.fragments, vcode).model;
   rerun.raw_sources = raw_sources(trace);
   prune(rerun, result);
 }
 
-void with_exact_intersection(Rerun& rerun, PublishedResult result, std::size_t threads) {
+void with_exact_intersection(Rerun& rerun, Result result, std::size_t threads) {
   const FloatComplex exact_cut = nearest(arrange(quantised_work(rerun.trace), threads));
   Model raw{exact_cut.vertices, {}, {}};
   rerun.raw_sources.clear();
@@ -131,25 +123,25 @@ void with_exact_intersection(Rerun& rerun, PublishedResult result, std::size_t t
   prune(rerun, result);
 }
 
-void without_merging(Rerun& rerun, PublishedResult result) {
+void without_merging(Rerun& rerun, Result result) {
   Trace& trace = rerun.trace;
   Pruned none;
   none.vertices = trace.raw.vertices;
   none.vertex_map.resize(none.vertices.size());
   for (std::size_t v = 0; v < none.vertices.size(); ++v) none.vertex_map[v] = VertexId(v);
   trace.prune = std::move(none);
-  trace.lar = lar::published::simplify(trace.raw, trace.prune);
+  trace.lar = simplify(trace.raw, trace.prune);
   rerun.sources = lar_sources(trace, rerun.raw_sources);
   find_components(trace, result);
 }
 
-void without_points(Rerun& rerun, PublishedResult result) {
+void without_points(Rerun& rerun, Result result) {
   std::erase_if(rerun.trace.lar.edges, [](const VertexPair& edge) { return edge[0] == edge[1]; });
   find_components(rerun.trace, result);
 }
 
 /// All edges make one component.
-void without_filter(Rerun& rerun, PublishedResult result) {
+void without_filter(Rerun& rerun, Result result) {
   rerun.trace.components = {rerun.trace.lar.edges};
   rerun.trace.bridges.clear();
   find_faces(rerun.trace, result);
@@ -157,7 +149,7 @@ void without_filter(Rerun& rerun, PublishedResult result) {
 
 }  // namespace
 
-std::optional<FloatComplex> run_with_exact(const Trace& trace, PublishedResult result,
+std::optional<FloatComplex> run_with_exact(const Trace& trace, Result result,
                                            const EdgeSources& raw_sources,
                                            const EdgeSources& lar_sources, Stage stage,
                                            std::size_t threads) {
@@ -183,11 +175,11 @@ std::optional<FloatComplex> run_with_exact(const Trace& trace, PublishedResult r
       break;
     default:
       if (trace.raw.edges.empty()) return std::nullopt;
-      return nearest(cells_of(has_result(trace, result) ? kept_work(trace, result, lar_sources)
-                                                        : work_of(trace.lar, lar_sources),
-                              threads));
+      return nearest(lar::cells_of(has_result(trace, result) ? kept_work(trace, result, lar_sources)
+                                                             : work_of(trace.lar, lar_sources),
+                                   threads));
   }
   return result_complex(rerun.trace, result, rerun.sources);
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

@@ -8,7 +8,7 @@
 #include "engine/radius_below.hpp"
 #include "engines/inters/explain/run.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
 
 /// Coordinates are written with so many digits.
@@ -26,14 +26,14 @@ void set(Cause& cause, const char* rule, std::string explanation, std::string ad
 
 constexpr const char* kDecideExactly = "decide it exactly: plumbline arrange";
 
-double largest_coordinate(const lar::published::Trace& trace) {
+double largest_coordinate(const Trace& trace) {
   double largest = 0;
   for (const auto& [a, b] : trace.lines)
     for (const double c : {a.x, a.y, b.x, b.y}) largest = std::max(largest, std::abs(c));
   return largest;
 }
 
-double longer_side(const lar::published::Trace& trace) {
+double longer_side(const Trace& trace) {
   if (trace.lines.empty()) return 0;
   PointD low = trace.lines.front().a, high = low;
   for (const auto& s : trace.lines)
@@ -47,42 +47,52 @@ double longer_side(const lar::published::Trace& trace) {
 }  // namespace
 
 /// The radius and the quantum are absolute.
-bool PublishedRun::is_small() const {
+bool ExplainedRun::is_small() const {
   return longer_side(trace_) <= kSmallDrawing * trace_.options.radius;
 }
 
-void PublishedRun::explain(const Finding& finding, Cause& cause) const {
-  switch (cause.stage) {
+Cause ExplainedRun::explained(const Finding& finding, Cause cause) const {
+  switch (stage_of(cause.stage)) {
     case Stage::Quantise:
-      return explain_quantisation(finding, cause);
+      explain_quantisation(finding, cause);
+      break;
     case Stage::Bucket:
-      return set(cause, "empty-half",
-                 "the mean of equal coordinates came out above them, so one half of a bucket was "
-                 "empty and the splitting failed",
-                 "split at the median, or move the drawing");
+      set(cause, "empty-half",
+          "the mean of equal coordinates came out above them, so one half of a bucket was empty "
+          "and "
+          "the splitting failed",
+          "split at the median, or move the drawing");
+      break;
     case Stage::Intersect:
-      return explain_meeting(finding, cause);
+      explain_meeting(finding, cause);
+      break;
     case Stage::Prune:
-      return explain_merge(finding, cause);
+      explain_merge(finding, cause);
+      break;
     case Stage::Simplify:
-      return set(cause, "point-edge", "a segment without length became an edge of one vertex",
-                 "leave out segments without length");
+      set(cause, "point-edge", "a segment without length became an edge of one vertex",
+          "leave out segments without length");
+      break;
     case Stage::ComponentFilter:
-      return explain_filter(finding, cause);
+      explain_filter(finding, cause);
+      break;
     case Stage::EdgeOrder:
-      return set(cause, "rounded-slopes",
-                 "the order of the edges around a vertex was decided by rounded slopes",
-                 kDecideExactly);
+      set(cause, "rounded-slopes",
+          "the order of the edges around a vertex was decided by rounded slopes", kDecideExactly);
+      break;
     case Stage::OuterFace:
-      return explain_outer_face(finding, cause);
+      explain_outer_face(finding, cause);
+      break;
     case Stage::Nesting:
-      return explain_nesting(finding, cause);
+      explain_nesting(finding, cause);
+      break;
     default:
-      return explain_walk(cause);
+      explain_walk(cause);
   }
+  return cause;
 }
 
-void PublishedRun::explain_quantisation(const Finding&, Cause& cause) const {
+void ExplainedRun::explain_quantisation(const Finding&, Cause& cause) const {
   const int decimals = trace_.options.decimals;
   const double largest = largest_coordinate(trace_);
   if (largest * std::pow(10, decimals) >= std::pow(10, kDigits))
@@ -98,7 +108,7 @@ void PublishedRun::explain_quantisation(const Finding&, Cause& cause) const {
       "scale the drawing up first, or take more decimals and a smaller radius");
 }
 
-void PublishedRun::explain_meeting(const Finding& finding, Cause& cause) const {
+void ExplainedRun::explain_meeting(const Finding& finding, Cause& cause) const {
   using Kind = MissedMeeting::Kind;
   const MissedMeeting* meeting = meetings_.nearest_to(nearest(finding.where), finding.segments);
   const int decimals = trace_.options.decimals;
@@ -134,7 +144,7 @@ void PublishedRun::explain_meeting(const Finding& finding, Cause& cause) const {
   }
 }
 
-void PublishedRun::explain_merge(const Finding& finding, Cause& cause) const {
+void ExplainedRun::explain_merge(const Finding& finding, Cause& cause) const {
   const double radius = trace_.options.radius;
   if (is_small())
     return set(cause, "absolute-quantum",
@@ -143,7 +153,8 @@ void PublishedRun::explain_merge(const Finding& finding, Cause& cause) const {
                            radius, longer_side(trace_)),
                "a smaller radius, or a drawing scaled up");
   const bool crosses = finding.invariant || finding.disagreement == Disagreement::Extra;
-  const Cluster* cluster = merged_.nearest_to(nearest(finding.where), finding.segments);
+  const engine_steps::Cluster* cluster =
+      merged_.nearest_to(nearest(finding.where), finding.segments);
   const double extent = cluster ? cluster->extent : 0;
   const double least = cluster ? cluster->least_distance : radius;
   const std::string merged =
@@ -151,7 +162,7 @@ void PublishedRun::explain_merge(const Finding& finding, Cause& cause) const {
           ? fmt::format("merging within {:.3g} made one vertex of {} that are up to {:.3g} apart",
                         radius, cluster->size, extent)
           : fmt::format("vertices within {:.3g} were merged", radius);
-  const std::string advice = radius_below(least);
+  const std::string advice = engine_steps::radius_below(least);
   if (crosses)
     set(cause, "fold-over", merged + ", which led edges across others", advice);
   else if (extent > radius * (1 + kRounding))
@@ -165,7 +176,7 @@ void PublishedRun::explain_merge(const Finding& finding, Cause& cause) const {
     set(cause, "thin-part", merged, advice);
 }
 
-void PublishedRun::explain_filter(const Finding& finding, Cause& cause) const {
+void ExplainedRun::explain_filter(const Finding& finding, Cause& cause) const {
   using Why = DroppedEdges::Why;
   const char* advice = "keep all components: plumbline check without --variant published";
   if (finding.kind == CellKind::Hole)
@@ -187,7 +198,7 @@ void PublishedRun::explain_filter(const Finding& finding, Cause& cause) const {
   }
 }
 
-void PublishedRun::explain_walk(Cause& cause) const {
+void ExplainedRun::explain_walk(Cause& cause) const {
   const char* advice = "cut and merge until nothing changes, as the repaired pipeline does";
   if (walk_.never_ends && walk_.is_plane)
     set(cause, "first-vertex",
@@ -211,7 +222,7 @@ void PublishedRun::explain_walk(Cause& cause) const {
     set(cause, "no-cycle", "there is no cycle, and so no result", "keep the edges in no cycle");
 }
 
-void PublishedRun::explain_outer_face(const Finding& finding, Cause& cause) const {
+void ExplainedRun::explain_outer_face(const Finding& finding, Cause& cause) const {
   if (walk_.misjudges_areas)
     return set(cause, "single-precision-area",
                "areas in single precision made an inner face as large as the exterior one",
@@ -226,9 +237,9 @@ void PublishedRun::explain_outer_face(const Finding& finding, Cause& cause) cons
       "leave out every cycle that runs clockwise");
 }
 
-void PublishedRun::explain_nesting(const Finding& finding, Cause& cause) const {
-  using Fault = PublishedLattice::Fault;
-  if (result_ != PublishedResult::CellsFromCycles)
+void ExplainedRun::explain_nesting(const Finding& finding, Cause& cause) const {
+  using Fault = Lattice::Fault;
+  if (result_ != Result::CellsFromCycles)
     return set(cause, "holes-dropped", "faces have no inner boundaries",
                "give faces the outlines of what lies in them as holes");
   const char* advice = "take the innermost cycle around each component";
@@ -258,7 +269,7 @@ void PublishedRun::explain_nesting(const Finding& finding, Cause& cause) const {
   }
 }
 
-void PublishedRun::explain_conversion(const Finding& finding, Cause& cause) const {
+void ExplainedRun::explain_conversion(const Finding& finding, Cause& cause) const {
   const MissedMeeting* missed = meetings_.near_miss(nearest(finding.where), finding.segments);
   if (!missed || missed->distance > kRounding * largest_coordinate(trace_)) return;
   set(cause, "slanted-junction",
@@ -268,14 +279,16 @@ void PublishedRun::explain_conversion(const Finding& finding, Cause& cause) cons
       "accept parameters within the radius");
 }
 
-void PublishedRun::refine(Finding& finding) const {
-  Cause& cause = *finding.cause;
-  if (cause.stage == Stage::Parse || cause.stage == Stage::Transform)
+Cause ExplainedRun::refined(const Finding& finding, Cause cause) const {
+  if (cause.stage == kParse || cause.stage == kTransform) {
     explain_conversion(finding, cause);
+    return cause;
+  }
   if (cause.rule == "parallel-skipped" && finding.kind == CellKind::Face)
     cause.rule = "parallel-wall";
-  if (cause.stage == Stage::ComponentFilter && finding.kind == CellKind::Hole)
+  if (stage_of(cause.stage) == Stage::ComponentFilter && finding.kind == CellKind::Hole)
     explain_filter(finding, cause);
+  return cause;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

@@ -4,23 +4,21 @@
 
 #include <algorithm>
 
-#include "compare/wrong_cells.hpp"
 #include "engines/inters/explain/replaced_stage.hpp"
+#include "engines/lar/explain/cells.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
 
-using lar::published::Trace;
-
 /// The clusters of the run, with the segments at their members.
-MergedVertices merged_in(const Trace& trace, const EdgeSources& raw_sources) {
+engine_steps::MergedVertices merged_in(const Trace& trace, const EdgeSources& raw_sources) {
   std::vector<std::vector<SegmentId>> segments_at(trace.raw.vertices.size());
   std::vector<bool> is_merged(trace.raw.vertices.size());
   for (const VertexId v : trace.prune.clusters.flat()) is_merged[v] = true;
   for (const auto& [edge, sources] : raw_sources)
     for (const VertexId v : edge)
       if (is_merged[v]) segments_at[v].insert(segments_at[v].end(), sources.begin(), sources.end());
-  MergedVertices result;
+  engine_steps::MergedVertices result;
   for (std::size_t i = 0; i < trace.prune.clusters.size(); ++i) {
     const auto members = trace.prune.clusters[i];
     std::vector<PointD> points;
@@ -30,7 +28,7 @@ MergedVertices merged_in(const Trace& trace, const EdgeSources& raw_sources) {
       segments.insert(segments.end(), segments_at[v].begin(), segments_at[v].end());
     }
     const VertexId merged = trace.prune.vertex_map[members.front()];
-    result.add(cluster(std::move(points), trace.prune.vertices[merged]), segments);
+    result.add(engine_steps::cluster(std::move(points), trace.prune.vertices[merged]), segments);
   }
   result.sort();
   return result;
@@ -38,73 +36,67 @@ MergedVertices merged_in(const Trace& trace, const EdgeSources& raw_sources) {
 
 }  // namespace
 
-PublishedRun::PublishedRun(const Trace& trace, PublishedResult result, std::size_t threads)
-    : trace_(trace),
+ExplainedRun::ExplainedRun(std::shared_ptr<const Trace> trace, Result result, std::size_t threads)
+    : owner_(std::move(trace)),
+      trace_(*owner_),
       result_(result),
       threads_(threads),
-      raw_sources_(raw_sources(trace)),
-      lar_sources_(lar_sources(trace, raw_sources_)),
-      merged_(merged_in(trace, raw_sources_)),
-      meetings_(trace),
-      dropped_(trace, result, lar_sources_),
-      walk_(walk_of(trace, result, kept_work(trace, result, lar_sources_), threads)),
-      lattice_(trace, result, lar_sources_) {}
+      raw_sources_(raw_sources(trace_)),
+      lar_sources_(lar_sources(trace_, raw_sources_)),
+      merged_(merged_in(trace_, raw_sources_)),
+      meetings_(trace_),
+      dropped_(trace_, result, lar_sources_),
+      walk_(walk_of(trace_, result, kept_work(trace_, result, lar_sources_), threads)),
+      lattice_(trace_, result, lar_sources_) {}
 
-FloatComplex PublishedRun::complex() const { return result_complex(trace_, result_, lar_sources_); }
+FloatComplex ExplainedRun::complex() const { return result_complex(trace_, result_, lar_sources_); }
 
-std::vector<StageOutput> PublishedRun::outputs() const {
+std::vector<StageOutput> ExplainedRun::outputs() const {
   std::vector<StageOutput> result;
+  const auto add = [&](Stage stage, LineWork work, bool is_cut) {
+    result.push_back({to_text(stage), 0, true, std::move(work), stage == Stage::Intersect, is_cut});
+  };
   LineWork lines = quantised_work(trace_);
   lines.segments = trace_.lines;
-  result.push_back({Stage::Transform, 0, true, std::move(lines)});
-  result.push_back({Stage::Quantise, 0, true, quantised_work(trace_)});
+  add(Stage::Transform, std::move(lines), false);
+  add(Stage::Quantise, quantised_work(trace_), false);
   const bool has_buckets = trace_.buckets.size() == trace_.lines.size() && !trace_.lines.empty();
   if (!has_buckets) {
-    result.push_back({Stage::Bucket, 0, true, {}, true});
+    add(Stage::Bucket, {}, true);
     return result;
   }
-  result.push_back({Stage::Intersect, 0, true, work_of(trace_.raw, raw_sources_), true});
-  result.push_back({Stage::Prune, 0, true, work_of(trace_.lar, lar_sources_), true});
-  if (has_result(trace_, result_) && result_ != PublishedResult::CellsFromCycles)
-    result.push_back(
-        {Stage::ComponentFilter, 0, true, kept_work(trace_, result_, lar_sources_), true});
+  add(Stage::Intersect, work_of(trace_.raw, raw_sources_), true);
+  add(Stage::Prune, work_of(trace_.lar, lar_sources_), true);
+  if (has_result(trace_, result_) && result_ != Result::CellsFromCycles)
+    add(Stage::ComponentFilter, kept_work(trace_, result_, lar_sources_), true);
   return result;
 }
 
-Stage PublishedRun::late_stage(const Finding& finding) const {
-  if (finding.invariant == Invariant::Index) return Stage::Simplify;
-  if (trace_.components.empty()) return Stage::Simplify;  // what edges of one vertex add
-  if (result_ == PublishedResult::CellsFromCycles) return Stage::Nesting;
-  if (!has_result(trace_, result_) || walk_.is_faulty() || !walk_.is_plane) return Stage::FaceWalk;
-  if (walk_.misorders_edges) return Stage::EdgeOrder;
+ExactComplex ExplainedRun::continued(const StageOutput& output, std::size_t threads) const {
+  return output.is_cut ? lar::cells_of(output.work, threads) : arrange(output.work, threads);
+}
+
+std::string ExplainedRun::late_stage(const Finding& finding) const {
   const bool is_about_nesting =
       finding.kind == CellKind::Hole || finding.disagreement == Disagreement::WrongParent;
-  return is_about_nesting ? Stage::Nesting : Stage::OuterFace;
+  if (finding.invariant == Invariant::Index) return to_text(Stage::Simplify);
+  // What edges of one vertex add.
+  if (trace_.components.empty()) return to_text(Stage::Simplify);
+  if (result_ == Result::CellsFromCycles) return to_text(Stage::Nesting);
+  if (!has_result(trace_, result_) || walk_.is_faulty() || !walk_.is_plane)
+    return to_text(Stage::FaceWalk);
+  if (walk_.misorders_edges) return to_text(Stage::EdgeOrder);
+  return to_text(is_about_nesting ? Stage::Nesting : Stage::OuterFace);
 }
 
-std::optional<FloatComplex> PublishedRun::with_exact(Stage stage, std::size_t /*round*/) const {
-  return run_with_exact(trace_, result_, raw_sources_, lar_sources_, stage, threads_);
+std::optional<FloatComplex> ExplainedRun::with_exact(const std::string& stage,
+                                                     std::size_t /*round*/) const {
+  return run_with_exact(trace_, result_, raw_sources_, lar_sources_, stage_of(stage), threads_);
 }
 
-void blame_missed_junctions(Crosscheck& result, const ExactComplex& exact_complex,
-                            const PublishedRun& run) {
-  std::vector<Finding*> dropped;
-  for (Finding& finding : result.findings)
-    if (finding.cause->rule == "bridges-dropped") dropped.push_back(&finding);
-  if (dropped.empty()) return;
-  const auto replaced = run.with_exact(Stage::Intersect, 0);
-  if (!replaced) return;
-  const Crosscheck now = crosscheck(exact_complex, *replaced, result.tolerance);
-  const WrongCells wrong(now, exact_complex);
-  for (Finding* finding : dropped) {
-    if (wrong.has(*finding)) continue;
-    Cause cause;
-    cause.stage = Stage::Intersect;
-    cause.confirmed = true;
-    cause.remade = false;
-    run.explain(*finding, cause);
-    finding->cause = cause;
-  }
+std::optional<std::string> ExplainedRun::suspect(const Cause& cause) const {
+  if (cause.rule != "bridges-dropped") return std::nullopt;
+  return to_text(Stage::Intersect);
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

@@ -11,10 +11,8 @@
 
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
-
-using lar::published::StageFailure;
 
 struct Rule {
   const char* name;
@@ -46,7 +44,7 @@ constexpr Rule kEvaluated{"evaluated-attributes",
 /// The error that svg2lines raises on the text; none where it reads it.
 std::optional<std::string> error_on(std::string_view text) {
   try {
-    lar::published::svg_to_lines(text, true, lar::published::Vcode(lar::published::kDecimals));
+    svg_to_lines(text, true, Vcode(kDecimals));
     return std::nullopt;
   } catch (const StageFailure& failed) {
     return failed.failure().error;
@@ -121,25 +119,20 @@ bool has_integers_only(std::string_view line) {
   return true;
 }
 
-Finding to_finding(const Rule& rule, std::vector<SegmentId> segments) {
-  Finding finding;
-  finding.kind = CellKind::Complex;
-  finding.disagreement = Disagreement::Missing;
-  finding.message = fmt::format("svg2lines would misread {} segment{}", segments.size(),
-                                segments.size() == 1 ? "" : "s");
-  finding.segments = std::move(segments);
-  finding.cause = Cause{};
-  finding.cause->stage = Stage::Parse;
-  finding.cause->rule = rule.name;
-  finding.cause->explanation = rule.explanation;
-  finding.cause->advice = rule.advice;
-  finding.cause->confirmed = true;
-  return finding;
+Explained explained(const Rule& rule, std::vector<SegmentId> segments) {
+  Explained result;
+  result.finding.kind = CellKind::Complex;
+  result.finding.disagreement = Disagreement::Missing;
+  result.finding.message = fmt::format("svg2lines would misread {} segment{}", segments.size(),
+                                       segments.size() == 1 ? "" : "s");
+  result.finding.segments = std::move(segments);
+  result.cause = {kParse, 0, rule.name, rule.explanation, rule.advice, true};
+  return result;
 }
 
 }  // namespace
 
-std::vector<Finding> svg_to_lines_findings(std::string_view svg, const SegmentSet& input) {
+std::vector<Explained> svg_to_lines_findings(std::string_view svg, const SegmentSet& input) {
   const std::vector<std::string_view> lines = text_lines(svg);
   std::map<std::string, std::pair<const Rule*, std::vector<SegmentId>>> by_rule;
   const auto add = [&](const Rule& rule, SegmentId segment) {
@@ -169,10 +162,10 @@ std::vector<Finding> svg_to_lines_findings(std::string_view svg, const SegmentSe
     if (!has_extent) add(kExtent, s);
     if (has_extent && are_integers) add(kIntegers, s);
   }
-  std::vector<Finding> result;
+  std::vector<Explained> result;
   for (auto& [name, found] : by_rule)
-    result.push_back(to_finding(*found.first, std::move(found.second)));
+    result.push_back(explained(*found.first, std::move(found.second)));
   return result;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

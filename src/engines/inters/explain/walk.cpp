@@ -8,20 +8,15 @@
 #include "engines/lar/explain/cells.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
-
-using lar::published::Faces;
-using lar::published::Model;
-using lar::published::Trace;
 
 /// Areas that differ by less, relatively, are the same.
 constexpr double kSameArea = 1e-12;
 
-const Faces* faces_of(const Trace& trace, PublishedResult result) {
-  if (result == PublishedResult::LarFromLines && trace.largest) return &*trace.largest;
-  if (result == PublishedResult::AllComponents && trace.all_components)
-    return &trace.all_components->faces;
+const Faces* faces_of(const Trace& trace, Result result) {
+  if (result == Result::LarFromLines && trace.largest) return &*trace.largest;
+  if (result == Result::AllComponents && trace.all_components) return &trace.all_components->faces;
   return nullptr;
 }
 
@@ -47,9 +42,9 @@ Model renumbered(const Model& model) {
 
 bool gives_other_faces(const Faces& faces) {
   try {
-    const Faces other = lar::published::faces_from_components(renumbered(faces.model));
+    const Faces other = faces_from_components(renumbered(faces.model));
     return point_lists(other.model) != point_lists(faces.model);
-  } catch (const lar::published::StageFailure&) {
+  } catch (const StageFailure&) {
     return true;
   }
 }
@@ -101,7 +96,7 @@ bool misjudges_areas(const Faces& faces) {
 
 /// Whether edges around a vertex are out of order. **Exact**.
 bool misorders(const Model& model) {
-  const Lists<EdgeId> order = lar::published::edge_slope_ordering(model);
+  const Lists<EdgeId> order = edge_slope_ordering(model);
   for (std::size_t v = 0; v < order.size(); ++v) {
     const auto around = order[v];
     const auto half = [&](EdgeId e) {  // 0: below or right of the vertex, 1: above or left
@@ -123,8 +118,8 @@ bool misorders(const Model& model) {
   return false;
 }
 
-bool never_ends(const Trace& trace, PublishedResult result) {
-  const char* stage = result == PublishedResult::LarFromLines ? "larFromLines" : "allComponents";
+bool never_ends(const Trace& trace, Result result) {
+  const char* stage = result == Result::LarFromLines ? "larFromLines" : "allComponents";
   return std::any_of(trace.failures.begin(), trace.failures.end(), [&](const auto& failure) {
     return failure.stage == stage && failure.error == "NoTermination";
   });
@@ -132,12 +127,11 @@ bool never_ends(const Trace& trace, PublishedResult result) {
 
 }  // namespace
 
-PublishedWalk walk_of(const Trace& trace, PublishedResult result, const LineWork& work,
-                      std::size_t threads) {
-  PublishedWalk walk;
-  if (result == PublishedResult::CellsFromCycles) return walk;
+Walk walk_of(const Trace& trace, Result result, const LineWork& work, std::size_t threads) {
+  Walk walk;
+  if (result == Result::CellsFromCycles) return walk;
   walk.never_ends = never_ends(trace, result);
-  walk.is_plane = is_plane(work, threads);
+  walk.is_plane = lar::is_plane(work, threads);
   const Faces* faces = faces_of(trace, result);
   if (!faces) return walk;
   walk.aborted = faces->aborted;
@@ -148,4 +142,4 @@ PublishedWalk walk_of(const Trace& trace, PublishedResult result, const LineWork
   return walk;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

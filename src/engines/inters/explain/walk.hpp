@@ -2,10 +2,10 @@
 
 #include "engines/inters/explain/work.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 
 /// What may be wrong with the published face walk and what follows it.
-struct PublishedWalk {
+struct Walk {
   bool is_plane = true;           ///< the edges that it walks meet in common vertices only
   bool never_ends = false;        ///< it repeats itself
   bool aborted = false;           ///< it stopped and kept the faces found so far
@@ -19,7 +19,6 @@ struct PublishedWalk {
 };
 
 /// The walk over `work`, the result's edges.
-PublishedWalk walk_of(const lar::published::Trace& trace, PublishedResult result,
-                      const LineWork& work, std::size_t threads);
+Walk walk_of(const Trace& trace, Result result, const LineWork& work, std::size_t threads);
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

@@ -9,16 +9,13 @@
 #include <set>
 
 #include "engines/inters/explain/lattice.hpp"
+#include "plumbline/engine/cell_lists.hpp"
 #include "plumbline/engines/inters_stages.hpp"
-#include "plumbline/polygons.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::inters {
 namespace {
 
 using lar::VertexPair;
-using lar::published::Model;
-using lar::published::Trace;
-using lar::published::Vcode;
 
 VertexPair sorted(const VertexPair& pair) {
   return {std::min(pair[0], pair[1]), std::max(pair[0], pair[1])};
@@ -32,10 +29,10 @@ void merge(std::vector<SegmentId>& sources, std::span<const SegmentId> more) {
 
 /// The edges of `trace.lar` that go into the faces of this result, not of CellsFromCycles; none
 /// where it fails.
-std::vector<VertexPair> kept_edges(const Trace& trace, PublishedResult result) {
+std::vector<VertexPair> kept_edges(const Trace& trace, Result result) {
   std::set<VertexPair> kept;
   if (trace.components.empty()) return {};
-  if (result == PublishedResult::LarFromLines) {
+  if (result == Result::LarFromLines) {
     // The first of those with most edges.
     const auto largest =
         std::max_element(trace.components.begin(), trace.components.end(),
@@ -66,7 +63,7 @@ std::vector<Polygon> as_polygons(const Lists<VertexId>& faces, std::span<const s
   return result;
 }
 
-CellLists cell_lists(const Trace& trace, PublishedResult result) {
+CellLists cell_lists(const Trace& trace, Result result) {
   CellLists lists;
   lists.lists_all_edges = true;
   const auto take = [&](const Model& model) {
@@ -75,12 +72,12 @@ CellLists cell_lists(const Trace& trace, PublishedResult result) {
   };
   if (!has_result(trace, result)) {
     take(trace.lar);
-  } else if (result == PublishedResult::LarFromLines) {
+  } else if (result == Result::LarFromLines) {
     take(*trace.lar_from_lines);
     std::vector<std::size_t> all(trace.lar_from_lines->faces.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     lists.faces = as_polygons(trace.lar_from_lines->faces, all);
-  } else if (result == PublishedResult::AllComponents) {
+  } else if (result == Result::AllComponents) {
     take(trace.all_components->faces.model);
     lists.faces =
         as_polygons(trace.all_components->faces.model.faces, trace.all_components->interior);
@@ -114,9 +111,9 @@ EdgeSources raw_sources(const Trace& trace) {
   for (std::size_t v = 0; v < trace.raw.vertices.size(); ++v)
     vertex_at[trace.raw.vertices[v]] = VertexId(v);
   EdgeSources result;
-  for (const lar::published::Fragment& fragment : trace.fragments) {
+  for (const Fragment& fragment : trace.fragments) {
     const auto& sources = segments_of[{fragment.segment.a, fragment.segment.b}];
-    const Model pieces = lar::published::split({&fragment, 1}, vcode).model;
+    const Model pieces = split({&fragment, 1}, vcode).model;
     for (const auto& [v, w] : pieces.edges)
       merge(result[sorted({vertex_at.at(pieces.vertices[v]), vertex_at.at(pieces.vertices[w])})],
             sources);
@@ -145,20 +142,20 @@ LineWork work_of(const Model& model, const EdgeSources& sources) {
   return result;
 }
 
-bool has_result(const Trace& trace, PublishedResult result) {
+bool has_result(const Trace& trace, Result result) {
   switch (result) {
-    case PublishedResult::LarFromLines:
+    case Result::LarFromLines:
       return trace.lar_from_lines.has_value();
-    case PublishedResult::AllComponents:
+    case Result::AllComponents:
       return trace.all_components.has_value();
-    case PublishedResult::CellsFromCycles:
+    case Result::CellsFromCycles:
       return trace.cells.has_value();
   }
   return false;
 }
 
-LineWork kept_work(const Trace& trace, PublishedResult result, const EdgeSources& sources) {
-  if (result == PublishedResult::CellsFromCycles) return work_of(trace.lar, sources);
+LineWork kept_work(const Trace& trace, Result result, const EdgeSources& sources) {
+  if (result == Result::CellsFromCycles) return work_of(trace.lar, sources);
   const Vcode vcode(trace.options.decimals);
   LineWork work;
   for (const VertexPair& edge : kept_edges(trace, result)) {
@@ -169,8 +166,7 @@ LineWork kept_work(const Trace& trace, PublishedResult result, const EdgeSources
   return work;
 }
 
-FloatComplex result_complex(const Trace& trace, PublishedResult result,
-                            const EdgeSources& sources) {
+FloatComplex result_complex(const Trace& trace, Result result, const EdgeSources& sources) {
   FloatComplex complex = complex_from_faces(cell_lists(trace, result));
   const LineWork work =
       has_result(trace, result) ? kept_work(trace, result, sources) : work_of(trace.lar, sources);
@@ -187,4 +183,4 @@ FloatComplex result_complex(const Trace& trace, PublishedResult result,
   return complex;
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::inters

@@ -9,7 +9,7 @@
 #include "engines/inters/stages/hash_order.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 using Adjacency = std::vector<std::vector<VertexId>>;
@@ -112,4 +112,4 @@ Biconnected biconnected_components(const Model& model) {
   return Search(neighbours(model)).run();
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

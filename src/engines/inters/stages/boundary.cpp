@@ -9,7 +9,7 @@
 #include "engines/inters/stages/hash_order.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 /// The first edge other than `e` in a set of the edges.
@@ -149,4 +149,4 @@ std::vector<Polyline> boundary_polylines(std::span<const PointD> vertices,
   return result;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -2,7 +2,7 @@
 
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 
 std::vector<Box> containment_boxes(std::span<const SegmentD> lines, const Vcode& vcode) {
   std::vector<Box> boxes;
@@ -15,4 +15,4 @@ std::vector<Box> containment_boxes(std::span<const SegmentD> lines, const Vcode&
   return boxes;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -7,7 +7,7 @@
 #include "engines/inters/stages/cycle_vertices.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 /// A vertex of a cell.
@@ -76,4 +76,4 @@ std::vector<std::vector<VertexPair>> bridge_edges(
   return result;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -9,8 +9,12 @@
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/error.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
+
+using lar::Bucket;
+using lar::centroid;
+using lar::Halves;
 
 constexpr std::size_t kSmallBucket = 4;
 constexpr std::size_t kLeastDrop = 7;
@@ -101,4 +105,4 @@ Lists<SegmentId> box_buckets(std::span<const Box> boxes, std::size_t max_members
   return partners(boxes.size(), splitting.final_buckets(), max_members);
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -6,8 +6,16 @@
 #include "engines/lar/stages/tile_code.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
+
+using lar::Crossing;
+using lar::kAbove;
+using lar::kBelow;
+using lar::kHere;
+using lar::kLeft;
+using lar::kRight;
+using lar::tile_code;
 
 /// What one edge does to the count, in the original's order of cases. The half crossings of an edge
 /// that ends on the half-line change nothing: the original counts them in copies of its counters.
@@ -103,4 +111,4 @@ CycleCells cells_from_cycles(const LatticeArray& lattice) {
   return result;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -10,7 +10,7 @@
 #include "engines/inters/stages/hash_order.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 /// One end of an edge.
@@ -185,4 +185,4 @@ std::vector<double> surface_integration(const Model& model) {
   return areas;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -6,7 +6,7 @@
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/number.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 std::string description(const Failure& failure) {
@@ -30,4 +30,4 @@ void check_radius(double radius) {
               shortest_text(radius));
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 
 /// The error where the original ran for ever.
 inline constexpr const char* kNoTermination = "NoTermination";
@@ -12,4 +12,4 @@ inline constexpr const char* kNoTermination = "NoTermination";
 /// Throws: Error BadInput for a radius that is not positive and finite.
 void check_radius(double radius);
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -1,6 +1,6 @@
 #include "engines/inters/stages/hash_order.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 constexpr std::uint64_t kMultiplier = 1'000'003;
@@ -41,4 +41,4 @@ std::uint64_t python_hash(const Cell& cell) {
 
 std::uint64_t python_hash(const std::vector<VertexId>& tuple) { return tuple_hash(tuple); }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -8,7 +8,7 @@
 
 #include "plumbline/engines/inters.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 
 /// A cell of one or two vertices: a pair of equal ones is one vertex.
 struct Cell {
@@ -96,4 +96,4 @@ class HashTable {
   std::vector<std::uint32_t> slots_;
 };
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -10,8 +10,10 @@
 #include "engines/lar/stages/parallel.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
+
+using lar::for_blocks;
 
 constexpr std::size_t kLinesPerBlock = 64;
 
@@ -138,4 +140,4 @@ Intersections line_intersection(std::span<const SegmentD> lines, std::span<const
   return {points.take(), fragments_of(lines, std::move(cuttings), vcode)};
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -9,7 +9,7 @@
 #include "engines/inters/stages/hash_order.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 
 Faces largest_component_faces(const Model& lar, std::span<const std::vector<VertexPair>> components,
                               const Vcode& vcode) {
@@ -52,4 +52,4 @@ AllComponents all_component_faces(const Model& lar,
   return result;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -5,7 +5,7 @@
 #include "engines/inters/stages/hash_order.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 PointD point_at(const SegmentD& s, double parameter) {
@@ -43,4 +43,4 @@ Split split(std::span<const Fragment> fragments, const Vcode& vcode) {
   return result;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

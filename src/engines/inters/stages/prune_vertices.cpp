@@ -10,8 +10,10 @@
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/error.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
+
+using lar::NearPoints;
 
 std::vector<VertexPair> close_pairs(std::span<const PointD> vertices, double radius,
                                     std::size_t max_pairs) {
@@ -112,4 +114,4 @@ Pruned prune_vertices(std::span<const PointD> vertices, double radius, std::size
   return result;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

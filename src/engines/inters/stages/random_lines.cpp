@@ -7,7 +7,7 @@
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/error.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 /// Random points of the unit square with the default number of decimals; the same on every machine,
@@ -59,4 +59,4 @@ std::vector<SegmentD> random_lines(std::size_t n, double scaling, std::uint64_t 
   return lines;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -9,8 +9,10 @@
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/error.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
+
+using lar::on_threads;
 
 /// Runs one stage; false where it failed.
 bool attempt(Trace& trace, const char* stage, const std::function<void()>& run_stage) {
@@ -174,4 +176,4 @@ Trace run(std::vector<SegmentD> lines, const Options& options) {
   return trace;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

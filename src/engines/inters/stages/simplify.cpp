@@ -11,8 +11,10 @@
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/error.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
+
+using lar::squared_distance;
 
 /// Within this the original's rank computation takes a cell for flat.
 constexpr double kFlat = 1e-6;
@@ -98,4 +100,4 @@ Model simplify(const Model& model, double radius) {
           simplified_faces(model, pruned)};
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

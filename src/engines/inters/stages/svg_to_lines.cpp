@@ -12,7 +12,7 @@
 #include "engines/inters/stages/fail.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 /// An integer or a float, with the arithmetic of Python 2.
@@ -209,4 +209,4 @@ std::vector<SegmentD> to_unit_square(std::span<const SegmentD> segments, const V
   return to_unit_square(lines, vcode);
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -9,7 +9,7 @@
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/error.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 
 std::vector<VertexId> cycle_vertices(std::span<const VertexPair> edges) {
   HashTable<std::size_t> set;
@@ -54,4 +54,4 @@ std::vector<std::size_t> boundary_chain(const Model& model, std::span<const std:
   return boundary;
 }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

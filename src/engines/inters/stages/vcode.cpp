@@ -6,7 +6,7 @@
 
 #include "plumbline/error.hpp"
 
-namespace plumbline::lar::published {
+namespace plumbline::inters {
 namespace {
 
 constexpr int kSignificantDigits = 12;  ///< of Python 2.7's str
@@ -45,4 +45,4 @@ double Vcode::quantised(double value) const {
 
 std::string Vcode::text(const PointD& p) const { return '[' + text(p.x) + ", " + text(p.y) + ']'; }
 
-}  // namespace plumbline::lar::published
+}  // namespace plumbline::inters

@@ -4,9 +4,9 @@
 
 #include "plumbline/engines/lar_stages.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::lar {
 
-lar::Graph graph_of(const LineWork& work) {
+Graph graph_of(const LineWork& work) {
   std::vector<PointD> vertices = work.points;
   for (const auto& [a, b] : work.segments) vertices.insert(vertices.end(), {a, b});
   std::sort(vertices.begin(), vertices.end());
@@ -15,7 +15,7 @@ lar::Graph graph_of(const LineWork& work) {
     const auto at = std::lower_bound(vertices.begin(), vertices.end(), p);
     return VertexId(static_cast<std::size_t>(at - vertices.begin()));
   };
-  lar::Graph graph;
+  Graph graph;
   for (std::size_t i = 0; i < work.segments.size(); ++i) {
     graph.edges.push_back({vertex(work.segments[i].a), vertex(work.segments[i].b)});
     graph.edge_sources.push_back(work.sources[i]);
@@ -25,15 +25,15 @@ lar::Graph graph_of(const LineWork& work) {
     graph.edge_sources.push_back(std::span<const SegmentId>());
   }
   // Nothing is merged, but equal pieces become one.
-  lar::Pruning none{vertices, {}, {}};
+  Pruning none{vertices, {}, {}};
   for (std::size_t v = 0; v < vertices.size(); ++v) none.vertex_map.emplace_back(v);
   graph.vertices = std::move(vertices);
-  return lar::simplify(graph, none);
+  return simplify(graph, none);
 }
 
 namespace {
 
-bool is_arrangement_of(const ExactComplex& complex, const lar::Graph& graph) {
+bool is_arrangement_of(const ExactComplex& complex, const Graph& graph) {
   const auto pieces = std::count_if(graph.edges.begin(), graph.edges.end(),
                                     [](const Edge& e) { return e.tail != e.head; });
   return complex.edge_count() == static_cast<std::size_t>(pieces) &&
@@ -43,14 +43,14 @@ bool is_arrangement_of(const ExactComplex& complex, const lar::Graph& graph) {
 }  // namespace
 
 ExactComplex cells_of(const LineWork& work, std::size_t threads) {
-  ExactComplex arranged = arrange(work, threads);
-  const lar::Graph graph = graph_of(work);
+  ExactComplex arranged = plumbline::arrange(work, threads);
+  const Graph graph = graph_of(work);
   if (is_arrangement_of(arranged, graph)) return arranged;
-  return exact(canonical(lar::faces(graph)));
+  return exact(canonical(faces(graph)));
 }
 
 bool is_plane(const LineWork& work, std::size_t threads) {
-  return is_arrangement_of(arrange(work, threads), graph_of(work));
+  return is_arrangement_of(plumbline::arrange(work, threads), graph_of(work));
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::lar

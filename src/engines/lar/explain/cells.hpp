@@ -1,12 +1,12 @@
 #pragma once
 
-#include "engine/line_work.hpp"
+#include "plumbline/engine.hpp"
 #include "plumbline/engines/lar.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::lar {
 
 /// The pieces as a graph over their distinct ends, each piece once; isolated points last.
-lar::Graph graph_of(const LineWork& work);
+Graph graph_of(const LineWork& work);
 
 /// The complex of pieces that are not cut any more: their arrangement where they meet in common
 /// ends only, else the cells of the graph as it is, which may be invalid (edges cross).
@@ -15,4 +15,4 @@ ExactComplex cells_of(const LineWork& work, std::size_t threads);
 /// Whether the pieces, equal ones once, meet in common ends only.
 bool is_plane(const LineWork& work, std::size_t threads);
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::lar

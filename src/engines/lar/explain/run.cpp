@@ -7,9 +7,10 @@
 #include <limits>
 
 #include "engine/radius_below.hpp"
+#include "plumbline/arrange.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 
-namespace plumbline::checking {
+namespace plumbline::lar {
 namespace {
 
 double distance(const PointD& p, const PointD& q) { return std::hypot(p.x - q.x, p.y - q.y); }
@@ -23,11 +24,11 @@ constexpr double kLeastBend = 0x1p-40;
 /// How far from a finding an edge may have been led away, in radii.
 constexpr double kReach = 4;
 
-bool changes(const lar::Round& round) { return round.pruning.clusters.size() > 0; }
+bool changes(const Round& round) { return round.pruning.clusters.size() > 0; }
 
 /// The quotient by equality: what merging vertices does exactly. Requires: ascending vertices.
-lar::Pruning equal_vertices(const std::vector<PointD>& vertices) {
-  lar::Pruning result;
+Pruning equal_vertices(const std::vector<PointD>& vertices) {
+  Pruning result;
   for (const PointD& p : vertices) {
     if (result.vertices.empty() || result.vertices.back() != p) result.vertices.push_back(p);
     result.vertex_map.emplace_back(result.vertices.size() - 1);
@@ -37,9 +38,9 @@ lar::Pruning equal_vertices(const std::vector<PointD>& vertices) {
 
 }  // namespace
 
-RepairedRun::RepairedRun(const SegmentSet& input, const lar::Trace& trace, std::size_t threads)
-    : input_(input), trace_(trace), threads_(threads) {
-  for (std::size_t r = 1; r <= trace.rounds.size(); ++r) {
+ExplainedRun::ExplainedRun(std::shared_ptr<const Trace> trace, std::size_t threads)
+    : owner_(std::move(trace)), trace_(*owner_), threads_(threads) {
+  for (std::size_t r = 1; r <= trace_.rounds.size(); ++r) {
     merged_.push_back(merged_in(r));
     bends_.push_back(bends_in(r));
     std::vector<Bend> by_x;
@@ -50,15 +51,15 @@ RepairedRun::RepairedRun(const SegmentSet& input, const lar::Trace& trace, std::
   }
 }
 
-PointD RepairedRun::drawn(const PointD& p) const {
+PointD ExplainedRun::drawn(const PointD& p) const {
   return {std::ldexp(p.x, trace_.exponent), std::ldexp(p.y, trace_.exponent)};
 }
 
-const lar::Graph& RepairedRun::before(std::size_t round) const {
+const Graph& ExplainedRun::before(std::size_t round) const {
   return round == 1 ? trace_.drawing : trace_.rounds[round - 2].simplified;
 }
 
-LineWork RepairedRun::line_work(const lar::Graph& graph) const {
+LineWork ExplainedRun::line_work(const Graph& graph) const {
   LineWork result;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const auto [tail, head] = graph.edges[e];
@@ -72,40 +73,41 @@ LineWork RepairedRun::line_work(const lar::Graph& graph) const {
   return result;
 }
 
-std::vector<StageOutput> RepairedRun::outputs() const {
+std::vector<StageOutput> ExplainedRun::outputs() const {
   std::vector<StageOutput> result;
-  const auto add = [&](Stage stage, std::size_t round, bool changed, const lar::Graph& graph) {
-    result.push_back({stage, round, changed, changed ? line_work(graph) : LineWork{}});
+  const auto add = [&](Stage stage, std::size_t round, bool changed, const Graph& graph) {
+    result.push_back({to_text(stage), round, changed, changed ? line_work(graph) : LineWork{},
+                      stage == Stage::Intersect});
   };
   add(Stage::Transform, 0, true, trace_.drawing);
   for (std::size_t r = 1; r <= trace_.rounds.size(); ++r) {
-    const lar::Round& round = trace_.rounds[r - 1];
+    const Round& round = trace_.rounds[r - 1];
     add(Stage::Intersect, r, !round.cuts.flat().empty(), round.split);
     add(Stage::Prune, r, changes(round), round.simplified);
   }
   return result;
 }
 
-Stage RepairedRun::late_stage(const Finding& finding) const {
-  if (finding.invariant) switch (*finding.invariant) {
-      case Invariant::CyclicOrder:
-        return Stage::EdgeOrder;
-      case Invariant::Orientation:
-      case Invariant::Area:
-        return Stage::OuterFace;
-      case Invariant::Nesting:
-      case Invariant::Derived:
-        return Stage::Nesting;
-      default:
-        return Stage::FaceWalk;
-    }
+std::string ExplainedRun::late_stage(const Finding& finding) const {
   const bool is_about_nesting =
       finding.kind == CellKind::Hole || finding.disagreement == Disagreement::WrongParent;
-  return is_about_nesting ? Stage::Nesting : Stage::FaceWalk;
+  if (!finding.invariant) return to_text(is_about_nesting ? Stage::Nesting : Stage::FaceWalk);
+  switch (*finding.invariant) {
+    case Invariant::CyclicOrder:
+      return to_text(Stage::EdgeOrder);
+    case Invariant::Orientation:
+    case Invariant::Area:
+      return to_text(Stage::OuterFace);
+    case Invariant::Nesting:
+    case Invariant::Derived:
+      return to_text(Stage::Nesting);
+    default:
+      return to_text(Stage::FaceWalk);
+  }
 }
 
-MergedVertices RepairedRun::merged_in(std::size_t round) const {
-  const lar::Round& r = trace_.rounds[round - 1];
+engine_steps::MergedVertices ExplainedRun::merged_in(std::size_t round) const {
+  const Round& r = trace_.rounds[round - 1];
   std::vector<std::vector<SegmentId>> segments_at(r.split.vertices.size());
   std::vector<bool> is_merged(r.split.vertices.size());
   for (const VertexId v : r.pruning.clusters.flat()) is_merged[v] = true;
@@ -114,7 +116,7 @@ MergedVertices RepairedRun::merged_in(std::size_t round) const {
       if (is_merged[v])
         segments_at[v].insert(segments_at[v].end(), r.split.edge_sources[e].begin(),
                               r.split.edge_sources[e].end());
-  MergedVertices result;
+  engine_steps::MergedVertices result;
   for (std::size_t i = 0; i < r.pruning.clusters.size(); ++i) {
     const auto members = r.pruning.clusters[i];
     std::vector<PointD> points;
@@ -124,19 +126,19 @@ MergedVertices RepairedRun::merged_in(std::size_t round) const {
       segments.insert(segments.end(), segments_at[v].begin(), segments_at[v].end());
     }
     const PointD& merged = r.pruning.vertices[r.pruning.vertex_map[members.front()]];
-    result.add(cluster(std::move(points), drawn(merged)), segments);
+    result.add(engine_steps::cluster(std::move(points), drawn(merged)), segments);
   }
   result.sort();
   return result;
 }
 
-std::vector<std::pair<SegmentId, RepairedRun::Bend>> RepairedRun::bends_in(
+std::vector<std::pair<SegmentId, ExplainedRun::Bend>> ExplainedRun::bends_in(
     std::size_t round) const {
-  const lar::Graph& graph = before(round);
+  const Graph& graph = before(round);
   const double radius = std::ldexp(trace_.radius, -trace_.exponent);
   std::vector<std::pair<SegmentId, Bend>> result;
   for (std::size_t e = 0; e < graph.edges.size(); ++e)
-    for (const lar::Cut& cut : trace_.rounds[round - 1].cuts[e]) {
+    for (const Cut& cut : trace_.rounds[round - 1].cuts[e]) {
       const double away = distance_to_line(cut.point, graph.vertices[graph.edges[e].tail],
                                            graph.vertices[graph.edges[e].head]);
       if (away <= kLeastBend * radius) continue;
@@ -148,12 +150,15 @@ std::vector<std::pair<SegmentId, RepairedRun::Bend>> RepairedRun::bends_in(
   return result;
 }
 
-void RepairedRun::explain(const Finding& finding, Cause& cause) const {
-  switch (cause.stage) {
+Cause ExplainedRun::explained(const Finding& finding, Cause cause) const {
+  cause.advice = "decide it exactly: plumbline arrange";
+  switch (stage_of(cause.stage)) {
     case Stage::Prune:
-      return explain_merge(finding, cause);
+      explain_merge(finding, cause);
+      break;
     case Stage::Intersect:
-      return explain_meeting(finding, cause);
+      explain_meeting(finding, cause);
+      break;
     case Stage::EdgeOrder:
       cause.rule = "rounded-slopes";
       cause.explanation = "the order of the edges around a vertex was decided by rounded slopes";
@@ -170,11 +175,11 @@ void RepairedRun::explain(const Finding& finding, Cause& cause) const {
       cause.rule = "cycles";
       cause.explanation = "the walk along the cycles went wrong";
   }
-  cause.advice = "decide it exactly: plumbline arrange";
+  return cause;
 }
 
-void RepairedRun::explain_merge(const Finding& finding, Cause& cause) const {
-  const Cluster* merged =
+void ExplainedRun::explain_merge(const Finding& finding, Cause& cause) const {
+  const engine_steps::Cluster* merged =
       merged_[cause.round - 1].nearest_to(nearest(finding.where), finding.segments);
   if (!merged) {
     cause.rule = "merged-within-radius";
@@ -198,11 +203,11 @@ void RepairedRun::explain_merge(const Finding& finding, Cause& cause) const {
       "merging within the radius {:.3g} made one vertex of {} that are up to {:.3g} apart{}{}",
       trace_.radius, merged->size, extent, extent > trace_.radius ? ", each near the next" : "",
       crosses ? ", which led edges across others" : "");
-  cause.advice = radius_below(merged->least_distance);
+  cause.advice = engine_steps::radius_below(merged->least_distance);
 }
 
 /// The nearest bend of any edge within some radii; none where there is none.
-const RepairedRun::Bend* RepairedRun::bend_near(const PointD& p, std::size_t round) const {
+const ExplainedRun::Bend* ExplainedRun::bend_near(const PointD& p, std::size_t round) const {
   const auto& bends = bends_by_x_[round - 1];
   const double reach = kReach * trace_.radius;
   const Bend* result = nullptr;
@@ -218,7 +223,7 @@ const RepairedRun::Bend* RepairedRun::bend_near(const PointD& p, std::size_t rou
   return result;
 }
 
-void RepairedRun::explain_meeting(const Finding& finding, Cause& cause) const {
+void ExplainedRun::explain_meeting(const Finding& finding, Cause& cause) const {
   const PointD where = nearest(finding.where);
   const auto& bends = bends_[cause.round - 1];
   const Bend* nearest_bend = nullptr;
@@ -238,7 +243,7 @@ void RepairedRun::explain_meeting(const Finding& finding, Cause& cause) const {
     cause.explanation =
         fmt::format("within the radius {:.3g}, an edge was led through a vertex {:.3g} beside it",
                     trace_.radius, nearest_bend->distance);
-    cause.advice = radius_below(nearest_bend->distance);
+    cause.advice = engine_steps::radius_below(nearest_bend->distance);
     return;
   }
   cause.rule = "missed-meeting";
@@ -246,7 +251,7 @@ void RepairedRun::explain_meeting(const Finding& finding, Cause& cause) const {
   cause.advice = "decide it exactly: plumbline arrange";
 }
 
-lar::Graph RepairedRun::arranged(const lar::Graph& graph) const {
+Graph ExplainedRun::arranged(const Graph& graph) const {
   LineWork work;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const auto [tail, head] = graph.edges[e];
@@ -257,8 +262,8 @@ lar::Graph RepairedRun::arranged(const lar::Graph& graph) const {
     work.segments.push_back({graph.vertices[tail], graph.vertices[head]});
     work.sources.push_back(graph.edge_sources[e]);
   }
-  const FloatComplex complex = nearest(arrange(work, threads_));
-  lar::Graph result;
+  const FloatComplex complex = nearest(plumbline::arrange(work, threads_));
+  Graph result;
   result.vertices = complex.vertices;
   result.edges = complex.edges;
   result.edge_sources = complex.edge_sources;
@@ -266,17 +271,19 @@ lar::Graph RepairedRun::arranged(const lar::Graph& graph) const {
     result.edges.push_back({v, v});
     result.edge_sources.push_back(std::span<const SegmentId>());
   }
-  return lar::simplify(result, equal_vertices(result.vertices));
+  return simplify(result, equal_vertices(result.vertices));
 }
 
-std::optional<FloatComplex> RepairedRun::with_exact(Stage stage, std::size_t round) const {
-  lar::Graph graph;
+std::optional<FloatComplex> ExplainedRun::with_exact(const std::string& name,
+                                                     std::size_t round) const {
+  const Stage stage = stage_of(name);
+  Graph graph;
   if (stage == Stage::Intersect) {
     const double radius = std::ldexp(trace_.radius, -trace_.exponent);
     graph = arranged(before(round));
-    graph = lar::simplify(graph, lar::prune_vertices(graph.vertices, radius));
-    for (std::size_t r = round; r < lar::kMaxRounds; ++r) {
-      lar::Round next = lar::resolve(graph, radius);
+    graph = simplify(graph, prune_vertices(graph.vertices, radius));
+    for (std::size_t r = round; r < kMaxRounds; ++r) {
+      Round next = resolve(graph, radius);
       graph = std::move(next.simplified);
       if (next.cuts.flat().empty() && next.pruning.clusters.size() == 0) break;
     }
@@ -285,9 +292,9 @@ std::optional<FloatComplex> RepairedRun::with_exact(Stage stage, std::size_t rou
   } else {
     graph = arranged(trace_.rounds.back().simplified);
   }
-  FloatComplex result = lar::faces(graph);
+  FloatComplex result = faces(graph);
   for (PointD& p : result.vertices) p = drawn(p);
   return canonical(std::move(result));
 }
 
-}  // namespace plumbline::checking
+}  // namespace plumbline::lar

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace plumbline::picture {
+namespace plumbline::svg {
 namespace {
 
 constexpr double kMargin = 20;
@@ -82,4 +82,4 @@ PointD Canvas::place(const PointD& p) const {
   return {rounded(q.x), rounded(y_up_ ? kSide - q.y : q.y)};
 }
 
-}  // namespace plumbline::picture
+}  // namespace plumbline::svg

@@ -6,7 +6,7 @@
 
 #include "output/svg/picture.hpp"
 
-namespace plumbline::picture {
+namespace plumbline::svg {
 
 /// A strong colour; consecutive numbers are a golden angle apart on the colour wheel.
 std::string colour(std::size_t number);
@@ -38,7 +38,7 @@ class Canvas {
 
  private:
   PointD place(const PointD& p) const;
-  std::string coordinates(const PointD& p) const { return picture::coordinates(place(p)); }
+  std::string coordinates(const PointD& p) const { return svg::coordinates(place(p)); }
 
   Box box_;
   Frame frame_;
@@ -46,4 +46,4 @@ class Canvas {
   std::string elements_;
 };
 
-}  // namespace plumbline::picture
+}  // namespace plumbline::svg

@@ -6,7 +6,7 @@
 namespace plumbline {
 namespace {
 
-using namespace lar::published;
+using namespace inters;
 
 void write_intersections(TraceWriter& json, const Trace& trace) {
   json.member("buckets", trace.buckets);

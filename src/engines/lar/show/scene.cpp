@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace plumbline::picture {
+namespace plumbline::svg {
 namespace {
 
 using Pair = std::array<VertexId, 2>;
@@ -87,7 +87,7 @@ LarScene scene(const lar::Result& result) {
   return scene;
 }
 
-LarScene scene(const lar::published::Trace& trace) {
+LarScene scene(const inters::Trace& trace) {
   LarScene scene;
   for (std::size_t i = 0; i < trace.lines.size(); ++i) {
     const bool has_partner = i < trace.buckets.size() && !trace.buckets[i].empty();
@@ -99,7 +99,7 @@ LarScene scene(const lar::published::Trace& trace) {
   scene.components = trace.components;
   scene.bridges = trace.bridges;
   if (trace.lar_from_lines) {
-    const lar::published::Model& model = *trace.lar_from_lines;
+    const inters::Model& model = *trace.lar_from_lines;
     for (std::size_t f = 0; f < model.faces.size(); ++f) {
       scene.faces.push_back({points(model.vertices, model.faces[f])});
     }
@@ -113,4 +113,4 @@ LarScene scene(const lar::published::Trace& trace) {
   return scene;
 }
 
-}  // namespace plumbline::picture
+}  // namespace plumbline::svg

@@ -6,7 +6,7 @@
 #include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/lar.hpp"
 
-namespace plumbline::picture {
+namespace plumbline::svg {
 
 /// What pictures of the float pipeline show, of either variant.
 struct LarScene {
@@ -30,6 +30,6 @@ struct LarScene {
 
 /// In drawing units. The clusters are those of the first round.
 LarScene scene(const lar::Result& result);
-LarScene scene(const lar::published::Trace& trace);
+LarScene scene(const inters::Trace& trace);
 
-}  // namespace plumbline::picture
+}  // namespace plumbline::svg

@@ -6,10 +6,10 @@
 #include "plumbline/error.hpp"
 #include "plumbline/triangulate.hpp"
 
-namespace plumbline::picture {
+namespace plumbline::svg {
 namespace {
 
-using lar::published::Model;
+using inters::Model;
 using Polygon = LarScene::Polygon;
 using PointPair = std::array<PointD, 2>;
 
@@ -90,7 +90,7 @@ class PolygonComplex {
 };
 
 /// What the published variant shows: cells where the lattice gives them.
-const Model* published_model(const lar::published::Trace& trace) {
+const Model* published_model(const inters::Trace& trace) {
   if (trace.two_complex) return &*trace.two_complex;
   return trace.lar_from_lines ? &*trace.lar_from_lines : nullptr;
 }
@@ -99,7 +99,7 @@ const Model* published_model(const lar::published::Trace& trace) {
 
 std::vector<Polygon> solid_faces(const lar::Result& result) { return scene(result).faces; }
 
-std::vector<Polygon> solid_faces(const lar::published::Trace& trace) {
+std::vector<Polygon> solid_faces(const inters::Trace& trace) {
   if (!trace.two_complex) return scene(trace).faces;
   std::vector<Polygon> result;
   for (const std::vector<std::size_t>& cell : *trace.cells) {
@@ -122,7 +122,7 @@ std::vector<std::vector<TriangleD>> fillings(const lar::Result& result) {
   return fillings;
 }
 
-std::vector<std::vector<TriangleD>> fillings(const lar::published::Trace& trace) {
+std::vector<std::vector<TriangleD>> fillings(const inters::Trace& trace) {
   std::vector<std::vector<TriangleD>> fillings;
   for (const Polygon& face : solid_faces(trace)) {
     fillings.push_back(filling(PolygonComplex(face).take(), FaceId(1)));
@@ -142,7 +142,7 @@ std::vector<Bridged> bridged(const lar::Result& result) {
   return faces;
 }
 
-std::vector<Bridged> bridged(const lar::published::Trace& trace) {
+std::vector<Bridged> bridged(const inters::Trace& trace) {
   std::vector<Bridged> faces;
   for (Polygon& polygon : solid_faces(trace)) faces.push_back({std::move(polygon), {}});
   if (!trace.bridge_edges) return faces;
@@ -166,17 +166,16 @@ std::vector<PointPair> boundary(const lar::Result& result, std::span<const std::
   return edges;
 }
 
-std::vector<PointPair> boundary(const lar::published::Trace& trace,
-                                std::span<const std::size_t> faces) {
+std::vector<PointPair> boundary(const inters::Trace& trace, std::span<const std::size_t> faces) {
   const Model* const model = published_model(trace);
   check(faces, model ? model->faces.size() : 0);
   std::vector<PointPair> edges;
   if (!model) return edges;
-  for (const std::size_t e : lar::published::boundary_chain(*model, faces)) {
+  for (const std::size_t e : inters::boundary_chain(*model, faces)) {
     const auto& [v, w] = model->edges[e];
     edges.push_back({model->vertices[v], model->vertices[w]});
   }
   return edges;
 }
 
-}  // namespace plumbline::picture
+}  // namespace plumbline::svg

@@ -14,24 +14,24 @@
 namespace plumbline {
 namespace {
 
-using picture::Canvas;
-using picture::LarScene;
+using svg::Canvas;
+using svg::LarScene;
 
-picture::Box box_of(const LarScene& scene) {
+svg::Box box_of(const LarScene& scene) {
   FloatComplex complex;
   for (const LarScene::Line& line : scene.lines) {
     complex.vertices.push_back(line.a);
     complex.vertices.push_back(line.b);
   }
   complex.vertices.insert(complex.vertices.end(), scene.vertices.begin(), scene.vertices.end());
-  return picture::bounds(complex);
+  return svg::bounds(complex);
 }
 
 /// Middle of the outer boundary's box.
 PointD middle(const LarScene::Polygon& face) {
   FloatComplex complex;
   complex.vertices = face.front();
-  const picture::Box box = picture::bounds(complex);
+  const svg::Box box = svg::bounds(complex);
   return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
 }
 
@@ -47,7 +47,7 @@ double number_size(std::size_t cells) {
 
 void buckets(const LarScene& scene, Canvas& canvas) {
   for (const LarScene::Line& l : scene.lines) {
-    canvas.line(l.a, l.b, stroke(picture::colour(l.bucket)));
+    canvas.line(l.a, l.b, stroke(svg::colour(l.bucket)));
   }
 }
 
@@ -60,20 +60,20 @@ void edges(const LarScene& scene, std::span<const std::array<VertexId, 2>> pairs
 
 void components(const LarScene& scene, Canvas& canvas) {
   for (std::size_t c = 0; c < scene.components.size(); ++c) {
-    edges(scene, scene.components[c], canvas, stroke(picture::colour(c)) + " stroke-width=\"2\"");
+    edges(scene, scene.components[c], canvas, stroke(svg::colour(c)) + " stroke-width=\"2\"");
   }
   edges(scene, scene.bridges, canvas, " stroke-dasharray=\"4\"");
 }
 
 void faces(std::span<const LarScene::Polygon> polygons, Canvas& canvas) {
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    canvas.paths(polygons[f], fmt::format(" fill=\"{}\" fill-opacity=\"0.5\"", picture::colour(f)));
+    canvas.paths(polygons[f], fmt::format(" fill=\"{}\" fill-opacity=\"0.5\"", svg::colour(f)));
   }
 }
 
 /// The faces, each moved away from the drawing's corner by the factor.
 void exploded(const LarScene& scene, double factor, Canvas& canvas) {
-  const picture::Box box = canvas.box();
+  const svg::Box box = canvas.box();
   canvas.show({box.low, {box.low.x + box.width() * factor, box.low.y + box.height() * factor}});
   std::vector<LarScene::Polygon> moved = scene.faces;
   for (LarScene::Polygon& face : moved) {
@@ -87,7 +87,7 @@ void exploded(const LarScene& scene, double factor, Canvas& canvas) {
 
 void numbers_of(std::span<const LarScene::Polygon> polygons, double size, Canvas& canvas) {
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    canvas.text(middle(polygons[f]), f, 1.5 * size, picture::kMark);
+    canvas.text(middle(polygons[f]), f, 1.5 * size, svg::kMark);
   }
 }
 
@@ -105,7 +105,7 @@ void numbers(const LarScene& scene, Canvas& canvas) {
     canvas.text(middle(scene.vertices[v], scene.vertices[w]), e, size, kEdgeInk);
   }
   for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
-    canvas.text(scene.vertices[v], v, size, picture::kInk);
+    canvas.text(scene.vertices[v], v, size, svg::kInk);
   }
   canvas.close_group();
 }
@@ -116,41 +116,41 @@ void pruning(const LarScene& scene, Canvas& canvas) {
     return fmt::format(" fill=\"{}\" stroke=\"none\"", ink);
   };
   for (const LarScene::Line& l : scene.lines) canvas.line(l.a, l.b, " stroke-opacity=\"0.3\"");
-  for (const PointD& p : scene.unpruned) canvas.circle(p, kDot, filled(picture::kInk));
+  for (const PointD& p : scene.unpruned) canvas.circle(p, kDot, filled(svg::kInk));
   for (std::size_t c = 0; c < scene.clusters.size(); ++c) {
     for (const VertexId v : scene.clusters[c]) {
       const PointD& p = scene.unpruned[v];
       canvas.circle(p, std::max(canvas.length(scene.radius), 2 * kDot), " stroke-width=\"0.5\"");
-      canvas.line(p, scene.centroids[c], stroke(picture::kMark));
+      canvas.line(p, scene.centroids[c], stroke(svg::kMark));
     }
-    canvas.circle(scene.centroids[c], kDot, filled(picture::kMark));
+    canvas.circle(scene.centroids[c], kDot, filled(svg::kMark));
   }
 }
 
 /// Triangles in the colours of their faces; edges that could not be filled in the second colour.
 void filled(std::span<const LarScene::Polygon> polygons,
-            std::span<const std::vector<picture::TriangleD>> fillings, Canvas& canvas) {
+            std::span<const std::vector<svg::TriangleD>> fillings, Canvas& canvas) {
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    const std::string ink = picture::colour(f);
+    const std::string ink = svg::colour(f);
     canvas.open_group(fmt::format(" fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.3\"", ink));
-    for (const picture::TriangleD& t : fillings[f]) {
+    for (const svg::TriangleD& t : fillings[f]) {
       canvas.paths({{{t.begin(), t.end()}}}, {});
     }
     canvas.close_group();
   }
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    canvas.paths(polygons[f], fillings[f].empty() ? stroke(picture::kMark) : std::string());
+    canvas.paths(polygons[f], fillings[f].empty() ? stroke(svg::kMark) : std::string());
   }
 }
 
-void polylines(std::span<const picture::Bridged> faces, Canvas& canvas) {
+void polylines(std::span<const svg::Bridged> faces, Canvas& canvas) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     canvas.paths(faces[f].polylines,
-                 fmt::format(" fill=\"{}\" fill-opacity=\"0.3\"", picture::colour(f)));
+                 fmt::format(" fill=\"{}\" fill-opacity=\"0.3\"", svg::colour(f)));
   }
-  for (const picture::Bridged& face : faces)
+  for (const svg::Bridged& face : faces)
     for (const auto& [p, q] : face.bridges) {
-      canvas.line(p, q, stroke(picture::kMark) + " stroke-width=\"2\"");
+      canvas.line(p, q, stroke(svg::kMark) + " stroke-width=\"2\"");
     }
 }
 
@@ -159,12 +159,11 @@ void boundary(const LarScene& scene, std::span<const LarScene::Polygon> polygons
               std::span<const std::size_t> chosen,
               std::span<const std::array<PointD, 2>> boundary_edges, Canvas& canvas) {
   for (const std::size_t f : chosen) {
-    canvas.paths(polygons[f],
-                 fmt::format(" fill=\"{}\" stroke=\"none\"", picture::kDepthColours[1]));
+    canvas.paths(polygons[f], fmt::format(" fill=\"{}\" stroke=\"none\"", svg::kDepthColours[1]));
   }
   edges(scene, scene.edges, canvas);
   for (const auto& [p, q] : boundary_edges) {
-    canvas.line(p, q, stroke(picture::kMark) + " stroke-width=\"3\"");
+    canvas.line(p, q, stroke(svg::kMark) + " stroke-width=\"3\"");
   }
   canvas.open_group(kTexts);
   numbers_of(polygons, number_size(polygons.size()), canvas);
@@ -194,17 +193,17 @@ void draw(const Result& result, const LarPicture& options, const LarScene& scene
     case LarShow::Pruning:
       return pruning(scene, canvas);
     case LarShow::Filled:
-      return filled(picture::solid_faces(result), picture::fillings(result), canvas);
+      return filled(svg::solid_faces(result), svg::fillings(result), canvas);
     case LarShow::Polylines:
-      return polylines(picture::bridged(result), canvas);
+      return polylines(svg::bridged(result), canvas);
     case LarShow::Boundary: {
-      const std::vector<LarScene::Polygon> polygons = picture::solid_faces(result);
+      const std::vector<LarScene::Polygon> polygons = svg::solid_faces(result);
       std::vector<std::size_t> chosen = options.faces;
       if (chosen.empty()) {
         chosen.resize(polygons.size());
         std::iota(chosen.begin(), chosen.end(), std::size_t{0});
       }
-      const auto found = picture::boundary(result, chosen);
+      const auto found = svg::boundary(result, chosen);
       return boundary(scene, polygons, chosen, found, canvas);
     }
   }
@@ -213,7 +212,7 @@ void draw(const Result& result, const LarPicture& options, const LarScene& scene
 template <class Result>
 std::string picture_of(const Result& result, const LarPicture& options) {
   check(options);
-  const LarScene scene = picture::scene(result);
+  const LarScene scene = svg::scene(result);
   Canvas canvas(box_of(scene), options.y_up);
   draw(result, options, scene, canvas);
   return canvas.svg();
@@ -225,7 +224,7 @@ std::string to_svg(const lar::Result& result, const LarPicture& options) {
   return picture_of(result, options);
 }
 
-std::string to_svg(const lar::published::Trace& trace, const LarPicture& options) {
+std::string to_svg(const inters::Trace& trace, const LarPicture& options) {
   return picture_of(trace, options);
 }
 

@@ -42,14 +42,14 @@ class TraceWriter : public JsonWriter {
     EndArray();
   }
   template <class T>
-  void value(const lar::published::Outcome<T>& outcome) {
+  void value(const inters::Outcome<T>& outcome) {
     if (outcome.value) {
       value(*outcome.value);
     } else {
       value(*outcome.failure);
     }
   }
-  void value(const lar::published::Failure& failure) {
+  void value(const inters::Failure& failure) {
     StartObject();
     Key("error");
     text(failure.error);

@@ -23,7 +23,7 @@ struct CellLists {
   bool lists_all_edges = false;
 };
 
-/// The complex that the lists describe, in canonical order, for `validate` and `crosscheck`: what
+/// The complex that the lists describe, in canonical order, for `validate` and `comparison`: what
 /// is wrong in the lists is wrong in the complex. Repeated vertices and edges, edges that cross,
 /// faces that overlap (a halfedge in the cycles of several faces) or leave gaps (a cycle of no
 /// face) stay as they are. What such lists do not say is filled in, and only that:

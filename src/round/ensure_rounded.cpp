@@ -17,9 +17,9 @@ void require(bool holds, const char* what, const Point& where) {
                                        " at " + to_text(where));
 }
 
-class Verification {
+class Promises {
  public:
-  Verification(const ExactComplex& exact, const Grid& grid, const Rounding& rounding)
+  Promises(const ExactComplex& exact, const Grid& grid, const Rounding& rounding)
       : exact_(exact), grid_(grid), rounding_(rounding), half_(rounding.spacing / 2) {}
 
   void run() const {
@@ -44,7 +44,7 @@ class Verification {
   void check_vertices() const {
     require(rounding_.vertex_image.size() == exact_.vertices.size(), "vertices are missing", {});
     for (const Point& p : rounding_.complex.vertices)
-      require(rounding::is_on(grid_, p.x) && rounding::is_on(grid_, p.y),
+      require(round_steps::is_on(grid_, p.x) && round_steps::is_on(grid_, p.y),
               "a vertex is not on the grid", p);
     std::vector<bool> is_image(rounding_.complex.vertices.size());
     for (std::size_t v = 0; v < exact_.vertices.size(); ++v) {
@@ -100,9 +100,9 @@ class Verification {
   }
 
   void check_faces() const {
-    require(rounding_.face_origin == rounding::face_origins(exact_, rounding_.complex,
-                                                            rounding_.vertex_image,
-                                                            rounding_.edge_image),
+    require(rounding_.face_origin == round_steps::face_origins(exact_, rounding_.complex,
+                                                               rounding_.vertex_image,
+                                                               rounding_.edge_image),
             "a face comes from another face", {});
     if (!rounding_.has_same_incidences()) return;
     const auto is_single = [&](std::size_t e) { return rounding_.edge_image[e].size() == 1; };
@@ -122,8 +122,8 @@ class Verification {
 
 }  // namespace
 
-void verify_rounding(const ExactComplex& complex, const Grid& grid, const Rounding& rounding) {
-  Verification(complex, grid, rounding).run();
+void ensure_rounded(const ExactComplex& complex, const Grid& grid, const Rounding& rounding) {
+  Promises(complex, grid, rounding).run();
 }
 
 }  // namespace plumbline

@@ -1,12 +1,12 @@
 // Turns the lists into edges and rings of halfedges; `complete_boundaries` does the rest.
 
-#include "plumbline/polygons.hpp"
+#include "plumbline/engine/cell_lists.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "complex/complete_boundaries.hpp"
+#include "engine/complete_boundaries.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline {

@@ -3,7 +3,7 @@
 // claims the rest of it; a cycle that nobody claims at all is the outline of a component, whose
 // place decides whom it belongs to, or encloses a gap.
 
-#include "complex/complete_boundaries.hpp"
+#include "engine/complete_boundaries.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plumbline/arrange.hpp"
+#include "plumbline/check.hpp"
+#include "plumbline/read.hpp"
+#include "plumbline/round.hpp"
+
+/// From a file to the answers, in one call each: what the tool does apart from arguments, limits
+/// and the terminal.
+namespace plumbline {
+
+/// Told now and then what is being done ("arranging 12 segments") and which part of it is done,
+/// from 0 to 1; negative where that is not known. The work ends with Error Cancelled where it
+/// returns false.
+using Watch = std::function<bool(const std::string& what, double part)>;
+
+/// How a file becomes an exact answer.
+struct DrawingOptions {
+  ReadOptions reading;
+  bool unit_square = false;  ///< maps the drawing to the unit square first, as LAR does for SVG
+  ExactEngine exact_engine = ExactEngine::Bucket;
+  bool both_engines = false;  ///< arranges with the other engine, too, and compares
+  std::size_t threads = 0;    ///< 0: as many as there are cores; does not change the result
+  Watch watch;
+};
+
+/// A drawing with its exact arrangement, which has passed `validate` and `validate_coverage`.
+struct Drawing {
+  std::filesystem::path file;
+  bool unit_square = false;  ///< whether `input` was mapped to the unit square
+  Structure structure;
+  SegmentSet input;
+  ExactComplex complex;
+};
+
+/// Reads, evaluates, arranges and validates. **Exact**. Throws: as `read`, `evaluate`, `arrange`;
+/// Internal, with the first violation, where the exact arrangement fails a check or the engines
+/// differ.
+Drawing exact_answer(const std::filesystem::path& file, const DrawingOptions& options = {});
+
+/// All engines that there are, by name: lar, inters, files.
+std::vector<Engine> engines();
+/// The engine of that name, for this drawing: inters maps to the unit square in floats, as
+/// published. Throws: Error BadInput for an unknown name.
+Engine engine_for(const std::string& name, const Drawing& drawing, const Parameters& parameters);
+/// inters, which then also finds what its reader of SVG, svg2lines, would misread of the file.
+/// Throws: Error BadInput for a file that is no .svg, or is mapped to the unit square.
+Engine inters_with_svg2lines(const Drawing& drawing);
+
+/// How to give advice unasked.
+struct AdvicePolicy {
+  /// Whether to look for right radii; by default for up to kMostEdgesForAdvice edges.
+  std::optional<bool> right_radii;
+  bool ladder = false;  ///< whether the tolerance ladder is needed in any case
+};
+/// Advice runs an engine a dozen times: unasked only where that takes a few seconds.
+inline constexpr std::size_t kMostEdgesForAdvice = 20'000;
+
+/// The drawing held against the answer: `check`, which can tell parsing from transforming here.
+Check checked(Drawing drawing, Answer answer, std::optional<double> tolerance = {},
+              std::size_t threads = 0);
+/// `advised`, as far as the policy goes; else the check as it is.
+Check with_advice(Check check, const AdvicePolicy& policy, const AdviceOptions& options = {});
+
+/// What stands within Structs of this category. Throws: Error BadInput, with those that there are,
+/// where there is none.
+Structure only(const Structure& structure, const std::string& category);
+/// The boundary of the chain of all cells: in the plane by the sides of its polygons, elsewhere by
+/// the facets that its cells hold. Throws: Error BadInput for cells without facets, (V, CV).
+LarModel boundary_of_all(const LarModel& model);
+/// A structure of one model.
+Structure structure_of(LarModel model, bool y_up);
+/// The structure as lines of the plane; one of space in an oblique view, (x + y/2, z + y/4).
+SegmentSet drawn(const Structure& structure);
+
+}  // namespace plumbline

@@ -1,0 +1,73 @@
+// Which engine, which advice.
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "plumbline/engines/files.hpp"
+#include "plumbline/engines/inters.hpp"
+#include "plumbline/engines/lar.hpp"
+#include "plumbline/error.hpp"
+#include "plumbline/pipeline.hpp"
+
+namespace plumbline {
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+int decimals_of(const Parameters& parameters) {
+  const auto found = parameters.find("decimals");
+  return found == parameters.end() ? inters::kDecimals
+                                   : static_cast<int>(std::get<std::int64_t>(found->second));
+}
+
+}  // namespace
+
+std::vector<Engine> engines() { return {lar::engine(), inters::engine(), files::engine()}; }
+
+Engine engine_for(const std::string& name, const Drawing& drawing, const Parameters& parameters) {
+  std::string known;
+  for (Engine& engine : engines()) {
+    known += (known.empty() ? "" : ", ") + engine.name;
+    if (engine.name != name) continue;
+    if (name != "inters" || !drawing.unit_square) return engine;
+    inters::Original original;
+    original.lines =
+        inters::lines_on_unit_square(evaluate(drawing.structure), decimals_of(parameters));
+    return inters::engine(std::move(original));
+  }
+  throw Error(ErrorCode::BadInput, "unknown engine; there are " + known, {}, name);
+}
+
+Engine inters_with_svg2lines(const Drawing& drawing) {
+  if (drawing.unit_square)
+    throw Error(ErrorCode::BadInput, "svg2lines is told of the drawing as it is in the file");
+  if (drawing.file.extension() != ".svg") {
+    throw Error(ErrorCode::BadInput, "svg2lines reads .svg files", {drawing.file.string(), 0, 0});
+  }
+  return inters::engine({{}, text_of(drawing.file)});
+}
+
+Check checked(Drawing drawing, Answer answer, std::optional<double> tolerance,
+              std::size_t threads) {
+  CheckOptions options{tolerance, {}, threads};
+  options.parsed = [&] {
+    const SegmentSet input = evaluate(rounded(std::move(drawing.structure)));
+    return drawing.unit_square ? lar::to_unit_square(input) : input;
+  };
+  return check(std::move(drawing.input), std::move(drawing.complex), std::move(answer), options);
+}
+
+Check with_advice(Check check, const AdvicePolicy& policy, const AdviceOptions& options) {
+  const bool is_small = check.exact_complex.edge_count() <= kMostEdgesForAdvice;
+  const bool wants_radii = check.answer.with_radius && policy.right_radii.value_or(is_small);
+  if (!wants_radii && !policy.ladder) return check;
+  AdviceOptions wanted = options;
+  if (!wants_radii) wanted.max_runs = 0;
+  return advised(std::move(check), wanted);
+}
+
+}  // namespace plumbline
