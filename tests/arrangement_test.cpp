@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "hostile_inputs.hpp"
+#include "inputs/hostile_inputs.hpp"
+#include "inputs/random_segments.hpp"
 #include "plumbline/arrange.hpp"
-#include "random_segments.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

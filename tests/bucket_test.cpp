@@ -8,8 +8,8 @@
 #include "arrange/bucket/grid_kernel.hpp"
 #include "arrange/bucket/rational_kernel.hpp"
 #include "arrange/bucket/split.hpp"
+#include "inputs/random_segments.hpp"
 #include "plumbline/arrange.hpp"
-#include "random_segments.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
@@ -116,7 +116,7 @@ TEST_CASE("buckets: one long line through many short ones") {
 }
 
 // Regression: a ray stopped at a line too steep for doubles to tell its height. Expected counts
-// from validation/facts/arrangement.py.
+// from tests/regressions/counts.py.
 TEST_CASE("buckets: a component beside a line that is all but vertical has its face") {
   const std::string d = "/1000000000000000000000000000057 ";
   CHECK(arranged("0 4 9000000000000000000000000000514" + d + "8  1 7 0 3  9 2 1 7  " +

@@ -3,14 +3,14 @@
 #include <csignal>
 #include <stdexcept>
 
-#include "campaigns/child.hpp"
-#include "campaigns/dice.hpp"
-#include "campaigns/images.hpp"
-#include "campaigns/minimise.hpp"
-#include "campaigns/relations.hpp"
+#include "campaign/child.hpp"
+#include "campaign/dice.hpp"
+#include "campaign/images.hpp"
+#include "campaign/minimise.hpp"
+#include "campaign/relations.hpp"
+#include "inputs/random_segments.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/write.hpp"
-#include "random_segments.hpp"
 
 using namespace plumbline;
 using namespace campaign;

@@ -2,11 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "inputs/random_segments.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
 #include "plumbline/write.hpp"
-#include "random_segments.hpp"
 
 using namespace plumbline;
 

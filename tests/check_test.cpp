@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "inputs/random_segments.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/structure.hpp"
-#include "random_segments.hpp"
 #include "support/engine_checks.hpp"
 #include "support/segments.hpp"
 

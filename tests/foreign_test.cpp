@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "foreign_cases/claims.hpp"
-#include "foreign_cases/foreign.hpp"
+#include "cases/foreign/foreign.hpp"
+#include "foreign/claims.hpp"
 #include "plumbline/write.hpp"
 
 using namespace foreign;

@@ -3,11 +3,11 @@
 #include <catch2/catch.hpp>
 
 #include "engines/lar/stages/parallel.hpp"
+#include "inputs/workloads.hpp"
 #include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/write.hpp"
-#include "workloads.hpp"
 
 using namespace plumbline;
 

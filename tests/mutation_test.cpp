@@ -1,14 +1,14 @@
-// The short form; validation/mutate is the long one.
+// The short form; validation/mutations/run is the long one.
 
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
+#include "inputs/random_segments.hpp"
 #include "mutations/mutations.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
-#include "random_segments.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

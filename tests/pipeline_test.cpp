@@ -42,7 +42,7 @@ TEST_CASE("the exact complex of a real drawing keeps all invariants and covers t
 
 TEST_CASE("V, E and F of real drawings are those of an independent rational arrangement") {
   // Recorded from another program: all pairs of segments in Python's Fraction over the file's
-  // decimals, validation/facts/arrangement.py.
+  // decimals, tests/regressions/counts.py.
   const auto [name, expected] = GENERATE(table<std::string, std::string>({
       {"dwelling.svg", "V 33 E 39 F 8 C 1"},
       {"hospital-emergency.svg", "V 681 E 728 F 181 C 133"},

@@ -7,8 +7,8 @@
 
 #include "complex/validate.hpp"
 #include "geometry/filtered_points.hpp"
+#include "inputs/random_segments.hpp"
 #include "plumbline/arrange.hpp"
-#include "random_segments.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <map>
 
-#include "campaigns/judge.hpp"
-#include "campaigns/minimise.hpp"
+#include "campaign/judge.hpp"
+#include "campaign/minimise.hpp"
 #include "plumbline/arrange.hpp"
 
 using namespace plumbline;

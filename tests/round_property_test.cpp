@@ -6,9 +6,9 @@
 #include <random>
 #include <set>
 
+#include "inputs/random_segments.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/round.hpp"
-#include "random_segments.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

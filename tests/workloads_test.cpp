@@ -1,10 +1,10 @@
 // The benchmark's inputs have the counts that were published of them.
 
-#include "workloads.hpp"
+#include "inputs/workloads.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "hostile_inputs.hpp"
+#include "inputs/hostile_inputs.hpp"
 #include "plumbline/arrange.hpp"
 #include "support/segments.hpp"
 

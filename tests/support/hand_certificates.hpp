@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "certificate_text.hpp"
+#include "certificates/text.hpp"
 
 /// Certificates written by hand from docs/certificate.md.
 namespace hand_certificates {

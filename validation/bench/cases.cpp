@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "hostile_inputs.hpp"
-#include "workloads.hpp"
+#include "inputs/hostile_inputs.hpp"
+#include "inputs/workloads.hpp"
 
 namespace plumbline::bench {
 namespace {

@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <exception>
 
+#include "inputs/workloads.hpp"
 #include "machine.hpp"
 #include "table.hpp"
 #include "timing.hpp"
-#include "workloads.hpp"
 
 using namespace plumbline;
 using namespace plumbline::bench;

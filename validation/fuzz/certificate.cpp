@@ -13,7 +13,7 @@
 #include <sstream>
 #include <vector>
 
-#include "../certificate_text.hpp"
+#include "certificates/text.hpp"
 #include "verify/verify.hpp"
 
 using plumbline_verify::Outcome;

@@ -8,11 +8,11 @@
 #include <iostream>
 #include <map>
 
+#include "inputs/random_segments.hpp"
 #include "mutations/mutations.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
-#include "random_segments.hpp"
 
 using namespace plumbline;
 

@@ -1,4 +1,5 @@
-// Found: the exact engine, CGAL, the comparison, what explains the stages, a folder that is no room.
+// Found: the exact engine, CGAL, the comparison, what explains the stages, a folder that is no
+// room.
 #include <CGAL/Arrangement_2.h>
 
 #include "engines/lar/explain/run.hpp"

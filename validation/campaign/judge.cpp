@@ -1,0 +1,29 @@
+#include "campaign/judge.hpp"
+
+#include <exception>
+
+#include "plumbline/arrange.hpp"
+#include "plumbline/certificate.hpp"
+#include "plumbline/write.hpp"
+#include "verify/verify.hpp"
+
+namespace campaign {
+
+using namespace plumbline;
+
+std::string what_is_wrong(const SegmentSet& input, Relation relation, std::uint64_t seed) try {
+  const ExactComplex complex = arrange(input, ExactEngine::Bucket, {1, {}});
+  if (complex != arrange(input, ExactEngine::Cgal)) return "the engines differ";
+  for (const Violation& violation : validate(complex))
+    return "broken invariant: " + to_text(violation.invariant);
+  if (!validate_coverage(complex, input).empty()) return "the edges are not the input";
+  const auto verdict = plumbline_verify::verify(to_lines(input), certificate(complex, input));
+  if (verdict.outcome != plumbline_verify::Outcome::Proved)
+    return "the checker refuses: " + verdict.reason;
+  if (!holds(relation, input, complex, seed)) return to_text(relation) + ": does not hold";
+  return "";
+} catch (const std::exception& error) {
+  return std::string("throws ") + error.what();
+}
+
+}  // namespace campaign

@@ -1,0 +1,294 @@
+#include "inputs/workloads.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <utility>
+
+#include "plumbline/error.hpp"
+#include "plumbline/read.hpp"
+#include "plumbline/structure.hpp"
+
+namespace plumbline::workloads {
+namespace {
+
+/// splitmix64 (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", 2014): the
+/// same numbers with every compiler and library, as std::uniform_*_distribution has not.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  /// Uniform in [0, 1).
+  double real() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
+  /// Uniform in 0 ... n - 1.
+  std::int64_t below(std::uint64_t n) {
+    __extension__ using Wide = unsigned __int128;
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>((Wide(next()) * n) >> 64U));
+  }
+
+ private:
+  std::uint64_t next() {
+    state_ += 0x9E3779B97F4A7C15U;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+    return z ^ (z >> 31U);
+  }
+
+  std::uint64_t state_;
+};
+
+struct Lattice {
+  std::int64_t x, y;
+};
+
+/// A SegmentSet from integers of a unit 1 / per_unit.
+class Builder {
+ public:
+  explicit Builder(long per_unit) : per_unit_(per_unit), source_(set_.add_source({})) {}
+
+  /// Whether the segment has a length, and so was added.
+  bool add(Lattice a, Lattice b) {
+    if (a.x == b.x && a.y == b.y) return false;
+    set_.add({point(a), point(b)}, source_);
+    return true;
+  }
+  void add(Segment s) { set_.add(std::move(s), source_); }
+  /// The integers next to coordinates given in units of 1.
+  Lattice rounded(double x, double y) const {
+    const auto scale = static_cast<double>(per_unit_);
+    return {std::llround(x * scale), std::llround(y * scale)};
+  }
+  std::size_t size() const { return set_.segments.size(); }
+  SegmentSet take() { return std::move(set_); }
+
+ private:
+  Point point(Lattice p) const {
+    Point q{Rational(p.x, per_unit_), Rational(p.y, per_unit_)};
+    q.x.canonicalize();
+    q.y.canonicalize();
+    return q;
+  }
+
+  long per_unit_;
+  SegmentSet set_;
+  SourceId source_;
+};
+
+constexpr long kMicro = 1'000'000, kMilli = 1000;
+/// Distance of grid lines and of stars.
+constexpr int kPitch = 1000;
+constexpr double kPi = std::numbers::pi;
+
+SegmentSet grid_turned_by(double angle, std::uint64_t m) {
+  const double side = kPitch * static_cast<double>(m), c = side / 2;
+  Builder builder(kMilli);
+  const auto turned = [&](double x, double y) {
+    return builder.rounded(c + (x - c) * std::cos(angle) - (y - c) * std::sin(angle),
+                           c + (x - c) * std::sin(angle) + (y - c) * std::cos(angle));
+  };
+  for (std::uint64_t i = 0; i < m; ++i) {
+    const double at = kPitch * static_cast<double>(i) + kPitch / 2.0;
+    builder.add(turned(at, 0), turned(at, side));
+    builder.add(turned(0, at), turned(side, at));
+  }
+  return builder.take();
+}
+
+/// One of the eight directions in which lattice_segments run; `steps` is changed where a step is
+/// longer.
+Lattice lattice_direction(std::int64_t percent, Random& random, std::int64_t& steps) {
+  if (percent < 35) return {1, 0};
+  if (percent < 65) return {0, 1};
+  if (percent < 85) {
+    const std::int64_t signs = random.below(4);
+    return {2 * (signs % 2) - 1, 2 * (signs / 2) - 1};
+  }
+  static constexpr Lattice kKnight[] = {{1, 2},  {2, 1},  {1, -2},  {2, -1},
+                                        {-1, 2}, {-2, 1}, {-1, -2}, {-2, -1}};
+  const Lattice direction = kKnight[random.below(std::size(kKnight))];
+  steps = 1 + steps / 3;
+  return direction;
+}
+
+std::uint64_t size_of(const std::string& name) {
+  const std::size_t underscore = name.find('_');
+  const char* digits = underscore == std::string::npos ? "" : name.c_str() + underscore + 1;
+  char* end = nullptr;
+  const double size = std::strtod(digits, &end);
+  if (end == digits || *end != '\0' || !(size >= 1 && size <= 1e8) || size != std::floor(size)) {
+    throw Error(ErrorCode::BadInput, "not the name of a workload", {}, name);
+  }
+  return static_cast<std::uint64_t>(size);
+}
+
+}  // namespace
+
+SegmentSet random_segments(std::uint64_t n) {
+  Random random(1000 + n);
+  Builder builder(kMicro);
+  const double length = std::sqrt(kPi / static_cast<double>(n));
+  while (builder.size() < n) {
+    const double x = length / 2 + (1 - length) * random.real();
+    const double y = length / 2 + (1 - length) * random.real();
+    const double angle = kPi * random.real();
+    const double dx = length / 2 * std::cos(angle), dy = length / 2 * std::sin(angle);
+    builder.add(builder.rounded(x - dx, y - dy), builder.rounded(x + dx, y + dy));
+  }
+  return builder.take();
+}
+
+SegmentSet random_lines(std::uint64_t n) {
+  // 0.521405 is the mean distance of two random points of the unit square.
+  const double scale = n == 5000 ? 0.1 : std::sqrt(8 * kPi / static_cast<double>(n)) / 0.521405;
+  Random random(5000 + n);
+  Builder builder(kMicro);
+  while (builder.size() < n) {
+    const double px = random.real(), py = random.real();
+    const double qx = random.real(), qy = random.real();
+    const double cx = random.real(), cy = random.real();
+    const double dx = (px - qx) / 2 * scale, dy = (py - qy) / 2 * scale;
+    builder.add(builder.rounded(cx + dx, cy + dy), builder.rounded(cx - dx, cy - dy));
+  }
+  return builder.take();
+}
+
+SegmentSet grid(std::uint64_t m) { return grid_turned_by(0, m); }
+
+SegmentSet turned_grid(std::uint64_t m) { return grid_turned_by(0.7, m); }
+
+SegmentSet lattice_segments(std::uint64_t n) {
+  const auto side = static_cast<std::uint64_t>(2 * std::sqrt(static_cast<double>(n)));
+  Random random(77 + n);
+  std::vector<std::pair<Lattice, Lattice>> all;
+  while (all.size() < n) {
+    const std::int64_t percent = random.below(100);
+    if (percent < 5 && !all.empty()) {  // a copy
+      auto [a, b] = all[random.below(all.size())];
+      if (random.below(2) != 0) std::swap(a, b);
+      all.emplace_back(a, b);
+      continue;
+    }
+    Lattice start{};
+    start.x = random.below(side);
+    start.y = random.below(side);
+    if (random.below(5) == 0 && !all.empty()) {  // from the end of another
+      const auto& [a, b] = all[random.below(all.size())];
+      start = random.below(2) != 0 ? b : a;
+    }
+    std::int64_t steps = 1 + random.below(20);
+    const Lattice step = lattice_direction(percent, random, steps);
+    all.push_back({start, {start.x + steps * step.x, start.y + steps * step.y}});
+  }
+  Builder builder(1);
+  for (const auto& [a, b] : all) builder.add(a, b);
+  return builder.take();
+}
+
+SegmentSet stars(std::uint64_t n) {
+  constexpr std::uint64_t kLines = 100, kJitter = 100;
+  constexpr std::int64_t kReach = 200;
+  const std::uint64_t count = n / kLines;
+  const auto columns = static_cast<std::uint64_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+  Random random(33 + n);
+  Builder builder(1);
+  for (std::uint64_t star = 0; star < count; ++star) {
+    Lattice c{};
+    c.x = static_cast<std::int64_t>(kPitch * (star % columns)) + random.below(kJitter);
+    c.y = static_cast<std::int64_t>(kPitch * (star / columns)) + random.below(kJitter);
+    while (builder.size() < kLines * (star + 1)) {
+      const std::int64_t dx = random.below(2 * kReach + 1) - kReach;
+      const std::int64_t dy = random.below(2 * kReach + 1) - kReach;
+      if (star % 2 == 0) {
+        if (dx == 0 && dy == 0) continue;
+        const std::int64_t p = 1 + random.below(3), q = 1 + random.below(3);
+        builder.add({c.x - p * dx, c.y - p * dy}, {c.x + q * dx, c.y + q * dy});
+      } else {  // through (c.x + 1/3, c.y + 2/3)
+        const Lattice u{c.x + dx, c.y + dy};
+        builder.add(u, {3 * c.x + 1 - 2 * u.x, 3 * c.y + 2 - 2 * u.y});
+      }
+    }
+  }
+  return builder.take();
+}
+
+SegmentSet pencil(std::uint64_t n) {
+  constexpr std::int64_t kReach = 1'000'000;
+  Random random(99 + n);
+  Builder builder(1);
+  while (builder.size() < n) {
+    Lattice u{};
+    u.x = random.below(2 * kReach + 1) - kReach;
+    u.y = random.below(2 * kReach + 1) - kReach;
+    builder.add(u, {1 - 2 * u.x, 2 - 2 * u.y});
+  }
+  return builder.take();
+}
+
+SegmentSet tiles(const SegmentSet& drawing, std::uint64_t count, int dx, int dy) {
+  Builder builder(1);
+  for (std::uint64_t tile = 0; tile < count; ++tile) {
+    const Rational x = Rational(tile) * dx, y = Rational(tile) * dy;
+    for (const auto& [a, b] : drawing.segments) {
+      builder.add({{a.x + x, a.y + y}, {b.x + x, b.y + y}});
+    }
+  }
+  return builder.take();
+}
+
+SegmentSet hospital(const std::filesystem::path& directory) {
+  Builder builder(1);
+  for (const char* name : kHospitalFiles) {
+    const SegmentSet drawing = evaluate(read(directory / (std::string(name) + ".svg")));
+    for (const Segment& s : drawing.segments) builder.add(s);
+  }
+  return builder.take();
+}
+
+SegmentSet make(const std::string& name, const std::filesystem::path& directory) {
+  const std::uint64_t size = size_of(name);
+  const std::string family = name.substr(0, name.find('_'));
+  if (family == "R1") return random_segments(size);
+  if (family == "R5") return random_lines(size);
+  if (family == "G") return grid(size);
+  if (family == "Gr") return turned_grid(size);
+  if (family == "D") return lattice_segments(size);
+  if (family == "S") return stars(size);
+  if (family == "S1") return pencil(size);
+  if (family == "P") return tiles(hospital(directory), size, 100, 130);
+  throw Error(ErrorCode::BadInput, "not the name of a workload", {}, name);
+}
+
+const std::vector<Known>& known() {
+  static const std::vector<Known> all{
+      {"R1_1e3", 1000, 3138, 3276, 382, 1138},
+      {"R1_1e4", 10000, 30299, 30598, 2876, 10299},
+      {"R1_1e5", 100000, 300928, 301856, 27785, 100928},
+      {"R1_1e6", 1000000, 3002187, 3004384, 272513, 1002189},
+      {"R5_5e3", 5000, 31066, 47132, 16184, 21066},
+      {"R5_1e5", 100000, 985421, 1670842, 686025, 785421},
+      {"G_300", 600, 91200, 180600, 89402, 90000},
+      {"G_1000", 2000, 1004000, 2002000, 998002, 1000000},
+      {"Gr_300", 600, 91200, 180600, 89402, 90000},
+      {"Gr_1000", 2000, 1004000, 2002000, 998002, 1000000},
+      {"D_1e4", 10000, 34965, 72018, 37062, 71721},
+      {"D_1e5", 100000, 355562, 748230, 392735, 772058},
+      {"D_1e6", 1000000, 3567096, 7537667, 3971098, 7821368},
+      {"S_1e4", 10000, 20266, 20342, 137, 495155},
+      {"S_1e5", 100000, 203205, 204464, 1810, 4951944},
+      {"S1_1e3", 1000, 2001, 2000, 1, 499500},
+      {"P_1", 7439, 1162, 1499, 414, 4620},
+      {"P_10", 74390, 11620, 14990, 4131, 46200},
+      {"P_100", 743900, 116200, 149900, 41301, 462000},
+  };
+  return all;
+}
+
+const Known* known(const std::string& name) {
+  for (const Known& k : known()) {
+    if (name == k.name) return &k;
+  }
+  return nullptr;
+}
+
+}  // namespace plumbline::workloads
