@@ -81,6 +81,8 @@ def counts(lines, isolated=()):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) < 2 or "--help" in sys.argv:
+        sys.exit(__doc__)
     for name in sys.argv[1:]:
         drawn = rows(name) if name.endswith(".lines") else (segments(name), ())
         print(name, "V %d E %d F %d C %d" % counts(*drawn))

@@ -176,7 +176,7 @@ def summary(report):
 
 
 def main():
-    plumbline, directory = sys.argv[1:]
+    plumbline, directory = sys.argv[1:] if len(sys.argv) == 3 else sys.exit(__doc__)
     found, failures, totals = {}, [], collections.defaultdict(collections.Counter)
     with tempfile.TemporaryDirectory() as folder:
         for name in sorted(os.listdir(directory)):

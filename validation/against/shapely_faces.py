@@ -54,7 +54,7 @@ def findings(plumbline, folder, file, result):
 
 
 def main():
-    plumbline, directory = sys.argv[1:]
+    plumbline, directory = sys.argv[1:] if len(sys.argv) == 3 else sys.exit(__doc__)
     failures, agreeing, count = [], 0, 0
     files = sorted(os.path.join(folder, name) for folder, _, names in os.walk(directory)
                    for name in names if name.lower().endswith(ENDINGS))

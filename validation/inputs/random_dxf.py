@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Writes DXF files of random entities, nested blocks, arrays and mirrored inserts.
 
 Usage: random_dxf.py DIRECTORY COUNT. File i is made from the seed i. Needs Debian's python3-ezdxf.
@@ -113,9 +114,10 @@ class Maker:
 
 
 def main():
-    directory, count = pathlib.Path(sys.argv[1]), int(sys.argv[2])
+    directory, count = sys.argv[1:] if len(sys.argv) == 3 else sys.exit(__doc__)
+    directory = pathlib.Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
-    for seed in range(count):
+    for seed in range(int(count)):
         Maker(seed).make(directory / f"random-{seed:04}.dxf")
 
 

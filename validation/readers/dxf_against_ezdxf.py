@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Compares what Plumbline reads from DXF files with what ezdxf reads, segment by segment.
 
 Usage: dxf_against_ezdxf.py PLUMBLINE_SEGMENTS DIRECTORY. Prints a Markdown table of the DXF files
@@ -231,7 +232,8 @@ def listed(counter):
 def main():
     logging.disable(logging.CRITICAL)
     warnings.simplefilter("ignore")  # Shapely announces its version 2
-    program, directory = sys.argv[1], pathlib.Path(sys.argv[2])
+    program, directory = sys.argv[1:] if len(sys.argv) == 3 else sys.exit(__doc__)
+    directory = pathlib.Path(directory)
     index_file = directory / "index.json"
     counts = {}
     if index_file.exists():

@@ -76,7 +76,8 @@ def explanation(row, expected, zero_length):
 
 
 def main():
-    tool, directory = sys.argv[1], pathlib.Path(sys.argv[2])
+    tool, directory = sys.argv[1:] if len(sys.argv) == 3 else sys.exit(__doc__)
+    directory = pathlib.Path(directory)
     index = json.loads((directory / "index.json").read_text())["files"]
     endings = (".geojson", ".wkt", ".json")
     entries = [entry for entry in index if entry["file"].endswith(endings)]

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Compares what Plumbline reads from SVG files with what svgelements reads, and with an index.
 
 Usage: svg_against_svgelements.py PLUMBLINE_SEGMENTS DIRECTORY. Prints a Markdown table of the SVG
@@ -172,7 +173,8 @@ def sign(number):
 
 
 def main():
-    tool, directory = sys.argv[1], pathlib.Path(sys.argv[2])
+    tool, directory = sys.argv[1:] if len(sys.argv) == 3 else sys.exit(__doc__)
+    directory = pathlib.Path(directory)
     counted = {}
     if (directory / "index.json").exists():
         index = json.loads((directory / "index.json").read_text())

@@ -80,7 +80,7 @@ def vertices(edges):
 
 
 def main():
-    plumbline, directory = sys.argv[1:]
+    plumbline, directory = sys.argv[1:] if len(sys.argv) == 3 else sys.exit(__doc__)
     geos = Geos()
     files = sorted(os.path.join(folder, name) for folder, _, names in os.walk(directory)
                    for name in names if name.lower().endswith(ENDINGS))
