@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "inputs/hostile_inputs.hpp"
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
+#include "inputs/hostile.hpp"
 #include "plumbline/arrange.hpp"
 #include "support/segments.hpp"
 
@@ -33,9 +33,9 @@ std::vector<VertexId> canonical_vertices(const Arrangement& a, const ExactComple
 }  // namespace
 
 TEST_CASE("an arrangement tells the same as its canonical complex") {
-  const std::string family = GENERATE(from_range(random_segments::families()));
+  const std::string family = GENERATE(from_range(inputs::families()));
   CAPTURE(family);
-  const SegmentSet input = random_segments::make(family, 3);
+  const SegmentSet input = inputs::of_family(family, 3);
   const Arrangement a(input);
   const ExactComplex complex = a.complex();
   CHECK(counts(a) ==
@@ -82,7 +82,7 @@ TEST_CASE("an arrangement tells the same as its canonical complex") {
 }
 
 TEST_CASE("on inputs made to hurt, both engines return the same complex") {
-  for (const workloads::Hostile& hostile : workloads::hostile_inputs()) {
+  for (const inputs::Hostile& hostile : inputs::hostile()) {
     const SegmentSet input = hostile.make(40);
     if (input.segments.size() > 4000) continue;  // the reference is cubic in overlaps
     CAPTURE(hostile.name, input.segments.size());

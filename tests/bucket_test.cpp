@@ -8,7 +8,7 @@
 #include "arrange/bucket/grid_kernel.hpp"
 #include "arrange/bucket/rational_kernel.hpp"
 #include "arrange/bucket/split.hpp"
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "support/segments.hpp"
 
@@ -54,10 +54,10 @@ std::string kernel_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("both engines return the same complex on every family of random segments") {
-  const std::string family = GENERATE(from_range(random_segments::families()));
+  const std::string family = GENERATE(from_range(inputs::families()));
   for (unsigned seed = 1; seed <= 60; ++seed) {
     CAPTURE(family, seed);
-    const SegmentSet input = random_segments::make(family, seed);
+    const SegmentSet input = inputs::of_family(family, seed);
     REQUIRE(arrange(input, ExactEngine::Bucket) == arrange(input, ExactEngine::Cgal));
   }
 }
@@ -151,7 +151,7 @@ TEST_CASE("buckets: bricks, each overlapping the next, are covered by one or two
 
 TEST_CASE("far from the origin, a drawing is arranged as near it") {
   for (const char* offset : {"10000000000000000000", "-1000000000000000000000/7"}) {
-    SegmentSet near = random_segments::make("lattice", 11), far;
+    SegmentSet near = inputs::of_family("lattice", 11), far;
     const SourceId source = far.add_source({});
     const Rational d(offset);
     for (const Segment& s : near.segments) {
@@ -301,7 +301,7 @@ TEST_CASE("the families of full places fill buckets with more lines than are tes
     int full = 0;
     for (unsigned seed = 1; seed <= 60; ++seed) {
       bucket::Job job = serial();
-      const bucket::RationalKernel kernel(random_segments::make(family, seed), job);
+      const bucket::RationalKernel kernel(inputs::of_family(family, seed), job);
       std::vector<bucket::Approx> approx;
       for (bucket::LineId s = 0; s < kernel.size(); ++s) approx.push_back(kernel.approx(s));
       const bucket::Buckets buckets(approx, 1e-9, job);
@@ -317,7 +317,7 @@ TEST_CASE("the families of full places fill buckets with more lines than are tes
 }
 
 TEST_CASE("every point is in one bucket, and all lines near it are listed there") {
-  const SegmentSet input = random_segments::make("lattice", 7);
+  const SegmentSet input = inputs::of_family("lattice", 7);
   bucket::Job job = serial();
   const bucket::GridKernel<std::int32_t> kernel(*bucket::GridInput::from(input, job));
   std::vector<bucket::Approx> approx;
@@ -339,7 +339,7 @@ TEST_CASE("the arrangement's numbering does not depend on the number of threads"
     SegmentSet input;
     const SourceId source = input.add_source({});
     for (unsigned seed = 1; seed <= 300; ++seed) {
-      const SegmentSet part = random_segments::make(family, seed);
+      const SegmentSet part = inputs::of_family(family, seed);
       const Rational dx = static_cast<int>(seed % 17) * 9, dy = static_cast<int>(seed / 17) * 9;
       for (const Segment& s : part.segments) {
         input.add({{s.a.x + dx, s.a.y + dy}, {s.b.x + dx, s.b.y + dy}}, source);

@@ -8,12 +8,12 @@
 #include "campaign/images.hpp"
 #include "campaign/minimise.hpp"
 #include "campaign/relations.hpp"
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/write.hpp"
 
 using namespace plumbline;
-using namespace campaign;
+using namespace plumbline::campaign;
 
 namespace {
 
@@ -88,7 +88,7 @@ TEST_CASE("an input is made small: what can be left out goes, numbers become sho
       }
     return false;
   };
-  SegmentSet input = random_segments::make("near corners", 5);
+  SegmentSet input = inputs::of_family("near corners", 5);
   REQUIRE(crosses(input));
   REQUIRE(input.segments.size() > 4);
   const SegmentSet small = minimised(input, crosses);
@@ -126,13 +126,13 @@ TEST_CASE("whatever work does in a child is a result here") {
 }
 
 TEST_CASE("small inputs are small, and full places are not") {
-  for (const std::string& family : random_segments::families()) {
+  for (const std::string& family : inputs::families()) {
     CAPTURE(family);
-    const bool is_full = random_segments::cost(family) == random_segments::Cost::FullPlace;
+    const bool is_full = inputs::cost(family) == inputs::Cost::FullPlace;
     std::size_t sum = 0;
     constexpr unsigned kInputs = 50;
     for (unsigned seed = 0; seed < kInputs; ++seed)
-      sum += random_segments::make(family, seed, random_segments::Extent::Small).segments.size();
+      sum += inputs::of_family(family, seed, inputs::Extent::Small).segments.size();
     CHECK((sum <= 15 * kInputs) == !is_full);
   }
 }

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
@@ -68,8 +68,8 @@ TEST_CASE("a point of the input gives a reason where nothing else does") {
 }
 
 TEST_CASE("both engines get the same certificate") {
-  for (const std::string& family : random_segments::families()) {
-    const SegmentSet input = random_segments::make(family, 11);
+  for (const std::string& family : inputs::families()) {
+    const SegmentSet input = inputs::of_family(family, 11);
     CHECK(certificate(arrange(input, ExactEngine::Bucket), input) ==
           certificate(arrange(input, ExactEngine::Cgal), input));
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/structure.hpp"
@@ -155,10 +155,10 @@ TEST_CASE("findings, causes and counts do not depend on the order or direction o
 }
 
 TEST_CASE("every finding of random drawings has a cause with a rule, and a confirmed stage") {
-  const std::string family = GENERATE(from_range(random_segments::families()));
+  const std::string family = GENERATE(from_range(inputs::families()));
   CAPTURE(family);
   for (unsigned seed = 0; seed < 1; ++seed) {
-    SegmentSet input = random_segments::make(family, seed);
+    SegmentSet input = inputs::of_family(family, seed);
     const double side = lar::arrange(input).trace.radius / lar::kDefaultRelativeRadius;
     for (const double relative : {0.01, 1e-9}) {
       CAPTURE(seed, relative);

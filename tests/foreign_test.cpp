@@ -4,7 +4,7 @@
 #include "foreign/claims.hpp"
 #include "plumbline/write.hpp"
 
-using namespace foreign;
+using namespace plumbline::foreign;
 using plumbline::Error;
 
 namespace {

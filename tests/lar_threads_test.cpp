@@ -22,7 +22,7 @@ const char* const kWorkloads[] = {"R1_1e4", "R5_1e3", "D_1e3", "Gr_50", "S_1e3",
 TEST_CASE("the repaired pipeline's stages do not depend on the number of threads") {
   const auto* const name = GENERATE(from_range(std::begin(kWorkloads), std::end(kWorkloads)));
   INFO(name);
-  const SegmentSet input = workloads::make(name);
+  const SegmentSet input = inputs::workload(name);
   for (const double radius : {0.0, 0.01}) {
     const std::string alone = to_json(lar::arrange(input, {radius, 1}));
     for (const std::size_t threads : {2U, 3U, 8U}) {
@@ -34,7 +34,7 @@ TEST_CASE("the repaired pipeline's stages do not depend on the number of threads
 TEST_CASE("the published pipeline's stages do not depend on the number of threads") {
   const auto* const name = GENERATE(from_range(std::begin(kWorkloads), std::end(kWorkloads)));
   INFO(name);
-  const std::vector<SegmentD> lines = inters::lines(workloads::make(name));
+  const std::vector<SegmentD> lines = inters::lines(inputs::workload(name));
   const auto run = [&](std::size_t threads) {
     return to_json(inters::run(lines, {4, 0.001, threads}));
   };

@@ -7,7 +7,7 @@
 
 #include "complex/validate.hpp"
 #include "geometry/filtered_points.hpp"
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "support/segments.hpp"
 
@@ -71,10 +71,10 @@ TEST_CASE("orientation of points a few roundings off a line is that of exact ari
 }
 
 TEST_CASE("the sweep certifies every arrangement") {
-  for (const std::string& family : random_segments::families())
+  for (const std::string& family : inputs::families())
     for (unsigned seed = 1; seed <= 6; ++seed) {
       INFO(family << ' ' << seed);
-      CHECK(is_certified(arrange(random_segments::make(family, seed))));
+      CHECK(is_certified(arrange(inputs::of_family(family, seed))));
     }
 }
 
@@ -83,9 +83,9 @@ TEST_CASE("the sweep refuses just what breaks an invariant in the plane") {
   const auto below = [&](std::size_t n) { return random() % n; };
   std::size_t broken = 0, sound = 0;
   for (int round = 0; round < 3000; ++round) {
-    const auto& families = random_segments::families();
-    ExactComplex c = arrange(random_segments::make(families[round % families.size()],
-                                                   1000 + static_cast<unsigned>(round) / 50));
+    const auto& families = inputs::families();
+    ExactComplex c = arrange(inputs::of_family(families[round % families.size()],
+                                               1000 + static_cast<unsigned>(round) / 50));
     if (c.vertices.size() < 2 || c.vertices.size() > 60 || c.edge_count() == 0) continue;
     const std::size_t v = below(c.vertices.size()), w = below(c.vertices.size());
     switch (round % 7) {

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/round.hpp"
 #include "support/segments.hpp"
@@ -142,9 +142,9 @@ ExactComplex without_sources(ExactComplex c) {
 }  // namespace
 
 TEST_CASE("rounding keeps its guarantees on every family of random segments") {
-  const std::string family = GENERATE(from_range(random_segments::families()));
+  const std::string family = GENERATE(from_range(inputs::families()));
   for (unsigned seed = 1; seed <= 12; ++seed) {
-    const ExactComplex c = arrange(random_segments::make(family, seed));
+    const ExactComplex c = arrange(inputs::of_family(family, seed));
     for (const Grid& grid : kGrids) {
       CAPTURE(family, seed, to_text(grid));
       const Rounding r = safely_rounded(c, grid);
@@ -159,9 +159,9 @@ TEST_CASE("rounding keeps its guarantees on every family of random segments") {
 }
 
 TEST_CASE("snap rounding leads edges through the hot pixels that they meet, where needed") {
-  const std::string family = GENERATE(from_range(random_segments::families()));
+  const std::string family = GENERATE(from_range(inputs::families()));
   for (unsigned seed = 1; seed <= 12; ++seed) {
-    const ExactComplex c = arrange(random_segments::make(family, seed));
+    const ExactComplex c = arrange(inputs::of_family(family, seed));
     if (is_large(c)) continue;
     for (const Grid& grid : kGrids) {
       CAPTURE(family, seed, to_text(grid));
@@ -180,9 +180,9 @@ TEST_CASE("snap rounding leads edges through the hot pixels that they meet, wher
 
 TEST_CASE("a point that no edge moves across lies in the face that it lay in") {
   std::size_t checked_faces = 0;
-  for (const std::string& family : random_segments::families()) {
+  for (const std::string& family : inputs::families()) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
-      const ExactComplex c = arrange(random_segments::make(family, seed));
+      const ExactComplex c = arrange(inputs::of_family(family, seed));
       if (is_large(c)) continue;
       for (const Grid& grid : kGrids) {
         CAPTURE(family, seed, to_text(grid));
@@ -195,10 +195,10 @@ TEST_CASE("a point that no edge moves across lies in the face that it lay in") {
 }
 
 TEST_CASE("rounding does not depend on order and direction of the input, or on threads") {
-  const std::string family = GENERATE(from_range(random_segments::families()));
+  const std::string family = GENERATE(from_range(inputs::families()));
   std::mt19937 random(7);
   for (unsigned seed = 1; seed <= 4; ++seed) {
-    const SegmentSet input = random_segments::make(family, seed);
+    const SegmentSet input = inputs::of_family(family, seed);
     SegmentSet other = input;
     other.segments = shuffled(reversed(input.segments), random);
     const ExactComplex c = arrange(input), d = arrange(other);
@@ -216,9 +216,9 @@ TEST_CASE("rounding does not depend on order and direction of the input, or on t
 
 TEST_CASE("the random families need more than simple rounding") {
   std::size_t invalid_decimals = 0, invalid_doubles = 0, snapped_doubles = 0;
-  for (const std::string& family : random_segments::families()) {
+  for (const std::string& family : inputs::families()) {
     for (unsigned seed = 1; seed <= 12; ++seed) {
-      const ExactComplex c = arrange(random_segments::make(family, seed));
+      const ExactComplex c = arrange(inputs::of_family(family, seed));
       for (const Grid& grid : kGrids) {
         const Rounding r = safely_rounded(c, grid);
         if (grid.decimals) {

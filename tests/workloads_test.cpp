@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "inputs/hostile_inputs.hpp"
+#include "inputs/hostile.hpp"
 #include "plumbline/arrange.hpp"
 #include "support/segments.hpp"
 
@@ -28,9 +28,9 @@ TEST_CASE("workloads have the counts of CGAL's arrangement and of the prototype"
   const char* name =
       GENERATE("R1_1e3", "R1_1e4", "R5_5e3", "G_300", "Gr_300", "D_1e4", "S_1e4", "S1_1e3");
   CAPTURE(name);
-  const workloads::Known* known = workloads::known(name);
+  const inputs::Known* known = inputs::known(name);
   REQUIRE(known != nullptr);
-  const SegmentSet input = workloads::make(name);
+  const SegmentSet input = inputs::workload(name);
   CHECK(input.segments.size() == known->segments);
   CHECK(input.rejected.empty());
   CHECK(cells(input) == text(known->vertices, known->edges, known->faces));
@@ -38,7 +38,7 @@ TEST_CASE("workloads have the counts of CGAL's arrangement and of the prototype"
 
 TEST_CASE("hostile inputs have the cells that their geometry says") {
   int known = 0;
-  for (const auto& hostile : workloads::hostile_inputs()) {
+  for (const auto& hostile : inputs::hostile()) {
     const auto expected = hostile.cells(hostile.small_size);
     if (!expected) continue;
     CAPTURE(hostile.name, hostile.small_size);
@@ -51,13 +51,13 @@ TEST_CASE("hostile inputs have the cells that their geometry says") {
 
 TEST_CASE("tiles of a drawing that do not touch have its counts times their number") {
   const SegmentSet square = segments(rectangle(0, 0, 9, 9));
-  CHECK(cells(workloads::tiles(square, 5, 10, 0)) == "20 20 6");
-  CHECK(cells(workloads::tiles(square, 5, 9, 9)) == "16 20 6");
+  CHECK(cells(inputs::tiles(square, 5, 10, 0)) == "20 20 6");
+  CHECK(cells(inputs::tiles(square, 5, 9, 9)) == "16 20 6");
 }
 
 TEST_CASE("a name that is no workload's, and a missing drawing, are errors") {
   const char* name =
       GENERATE("", "R1", "R1_", "R1_x", "R1_0", "R1_1e9", "R1_1.5", "Q_10", "R1_10x");
-  CHECK_THROWS_AS(workloads::make(name), Error);
-  CHECK_THROWS_AS(workloads::make("P_1", "no such directory"), Error);
+  CHECK_THROWS_AS(inputs::workload(name), Error);
+  CHECK_THROWS_AS(inputs::workload("P_1", "no such directory"), Error);
 }

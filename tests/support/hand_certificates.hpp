@@ -15,8 +15,8 @@ struct Case {
 
 /// The sections of a certificate with its title, signature and end.
 inline std::string complete(const std::string& sections) {
-  return certificate_text::with_signature("plumbline certificate 1\nsignature 0\n" + sections +
-                                          "end\n");
+  return plumbline::certificates::with_signature("plumbline certificate 1\nsignature 0\n" +
+                                                 sections + "end\n");
 }
 
 inline const std::map<std::string, Case>& cases() {

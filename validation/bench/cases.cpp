@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "inputs/hostile_inputs.hpp"
+#include "inputs/hostile.hpp"
 #include "inputs/workloads.hpp"
 
 namespace plumbline::bench {
@@ -24,7 +24,7 @@ const NamedAbsence kAbsences[] = {
 Case workload(const std::string& name, const std::filesystem::path& drawings) {
   Case result;
   result.id = result.title = name;
-  result.make = [name, drawings] { return workloads::make(name, drawings); };
+  result.make = [name, drawings] { return inputs::workload(name, drawings); };
   for (const char* contender : {"bucket1", "bucket2", "cgal", "geos"}) {
     const Absent* absent = nullptr;
     for (const NamedAbsence& a : kAbsences) {
@@ -36,7 +36,7 @@ Case workload(const std::string& name, const std::filesystem::path& drawings) {
       result.absent.push_back(*absent);
     }
   }
-  if (const workloads::Known* known = workloads::known(name)) {
+  if (const inputs::Known* known = inputs::known(name)) {
     result.cells = Cells{known->vertices, known->edges, known->faces};
     result.crossings = known->crossings;
   }
@@ -53,7 +53,7 @@ Case text(const std::string& name) {
   return result;
 }
 
-Case hostile(const workloads::Hostile& input, std::size_t index, bool quick) {
+Case hostile(const inputs::Hostile& input, std::size_t index, bool quick) {
   const std::uint64_t size = quick ? input.small_size : input.size;
   Case result;
   result.kind = Kind::Hostile;
@@ -88,8 +88,7 @@ std::vector<Case> cases(bool quick, const std::filesystem::path& drawings) {
   }
   for (const auto& name : quick ? kQuickTexts : kFullTexts) all.push_back(text(name));
   std::size_t index = 0;
-  for (const auto& input : workloads::hostile_inputs())
-    all.push_back(hostile(input, ++index, quick));
+  for (const auto& input : inputs::hostile()) all.push_back(hostile(input, ++index, quick));
   return all;
 }
 

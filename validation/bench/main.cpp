@@ -123,7 +123,7 @@ int main(int argc, char** argv) try {
   if (arguments.drawings.empty()) {
     fmt::print(stderr, "no workloads P: --data DIR names the directory of the hospital drawings\n");
   } else {
-    workloads::hospital(arguments.drawings);  // fails now rather than in an hour
+    inputs::hospital(arguments.drawings);  // fails now rather than in an hour
   }
   std::vector<Row> rows;
   bool all_right = true;

@@ -17,9 +17,7 @@
 #include "campaign/minimise.hpp"
 #include "plumbline/write.hpp"
 
-namespace campaign {
-
-using plumbline::SegmentSet;
+namespace plumbline::campaign {
 
 namespace {
 
@@ -107,15 +105,15 @@ std::string small_rows(const Plan& plan, const Case& one, const std::string& wha
     }
     return false;
   };
-  return plumbline::to_lines(minimised(input_of(plan, one), fails));
+  return to_lines(minimised(input_of(plan, one), fails));
 }
 
 void print(const Plan& plan, const Failure& failure) {
   const Case& one = failure.failed;
   fmt::print(stderr, "# {}\n# family \"{}\", seed {}, {}, relation \"{}\", dice {}\n{}",
              failure.what, plan.families[one.family], one.seed,
-             one.extent == random_segments::Extent::Small ? "small" : "usual",
-             to_text(one.relation), one.dice, failure.rows);
+             one.extent == inputs::Extent::Small ? "small" : "usual", to_text(one.relation),
+             one.dice, failure.rows);
   std::fflush(stderr);
 }
 
@@ -139,7 +137,7 @@ void watch(Child& child, Board& board, const std::function<bool()>& is_over, std
 }  // namespace
 
 Summary run(const Plan& plan, const Amount& amount) {
-  plumbline::ensure(plan.families.size() <= kMostFamilies, "the board has room for all families");
+  ensure(plan.families.size() <= kMostFamilies, "the board has room for all families");
   is_interrupted = 0;
   for (const int signal : {SIGINT, SIGTERM}) {
     struct sigaction action {};
@@ -179,4 +177,4 @@ Summary run(const Plan& plan, const Amount& amount) {
   return summary;
 }
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

@@ -7,7 +7,7 @@
 
 #include "campaign/cases.hpp"
 
-namespace campaign {
+namespace plumbline::campaign {
 
 struct FamilyTotals {
   std::uint64_t cases = 0;
@@ -51,4 +51,4 @@ Summary run(const Plan& plan, const Amount& amount);
 std::string table(const Plan& plan, const Amount& amount, const Summary& summary,
                   const std::string& commit);
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

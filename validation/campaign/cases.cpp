@@ -2,7 +2,7 @@
 
 #include "campaign/dice.hpp"
 
-namespace campaign {
+namespace plumbline::campaign {
 namespace {
 
 constexpr std::size_t kFullPlaces = 2048;
@@ -20,18 +20,18 @@ Relation any_relation(Dice& dice) {
 }
 
 /// A family of that cost, if the plan has one.
-std::size_t any_family(const Plan& plan, random_segments::Cost cost, Dice& dice) {
+std::size_t any_family(const Plan& plan, inputs::Cost cost, Dice& dice) {
   std::vector<std::size_t> fitting;
   for (std::size_t f = 0; f < plan.families.size(); ++f) {
-    if (random_segments::cost(plan.families[f]) == cost) fitting.push_back(f);
+    if (inputs::cost(plan.families[f]) == cost) fitting.push_back(f);
   }
   if (fitting.empty()) return static_cast<std::size_t>(dice.pick(plan.families.size()));
   return fitting[static_cast<std::size_t>(dice.pick(fitting.size()))];
 }
 
-random_segments::Cost any_cost(Dice& dice) {
-  if (dice.one_in(kFullPlaces)) return random_segments::Cost::FullPlace;
-  return dice.one_in(kDear) ? random_segments::Cost::Dear : random_segments::Cost::Cheap;
+inputs::Cost any_cost(Dice& dice) {
+  if (dice.one_in(kFullPlaces)) return inputs::Cost::FullPlace;
+  return dice.one_in(kDear) ? inputs::Cost::Dear : inputs::Cost::Cheap;
 }
 
 }  // namespace
@@ -41,15 +41,14 @@ Case case_of(const Plan& plan, std::uint64_t number) {
   Case one{};
   one.family = any_family(plan, any_cost(dice), dice);
   one.seed = static_cast<unsigned>(dice.roll());
-  one.extent =
-      dice.one_in(kUsualSize) ? random_segments::Extent::Usual : random_segments::Extent::Small;
+  one.extent = dice.one_in(kUsualSize) ? inputs::Extent::Usual : inputs::Extent::Small;
   one.relation = any_relation(dice);
   one.dice = dice.roll();
   return one;
 }
 
-plumbline::SegmentSet input_of(const Plan& plan, const Case& one) {
-  return random_segments::make(plan.families[one.family], one.seed, one.extent);
+SegmentSet input_of(const Plan& plan, const Case& one) {
+  return inputs::of_family(plan.families[one.family], one.seed, one.extent);
 }
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "campaign/relations.hpp"
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 
-namespace campaign {
+namespace plumbline::campaign {
 
 /// What a campaign is made of.
 struct Plan {
@@ -19,7 +19,7 @@ struct Plan {
 struct Case {
   std::size_t family;  ///< index into the plan's
   unsigned seed;       ///< of the input
-  random_segments::Extent extent;
+  inputs::Extent extent;
   Relation relation;
   std::uint64_t dice;  ///< for the relation's choices
 };
@@ -29,6 +29,6 @@ struct Case {
 /// one in 256 is of usual size, one in 2048 a full place, as far as the plan's families have such.
 Case case_of(const Plan& plan, std::uint64_t number);
 
-plumbline::SegmentSet input_of(const Plan& plan, const Case& one);
+SegmentSet input_of(const Plan& plan, const Case& one);
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

@@ -11,7 +11,7 @@
 #include <exception>
 #include <system_error>
 
-namespace campaign {
+namespace plumbline::campaign {
 namespace {
 
 constexpr rlim_t kMemory = rlim_t{4} << 30U;
@@ -113,4 +113,4 @@ std::string in_child(const std::function<std::string()>& work, double seconds) {
   return child.outcome();
 }
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace campaign {
+namespace plumbline::campaign {
 
 /// Runs `work` in a child process, so that whatever happens there is only a result here.
 /// Requires: the calling process has one thread. Memory of a child is limited to 4 GB,
@@ -37,4 +37,4 @@ class Child {
 /// The outcome of work in a child that gets so many seconds.
 std::string in_child(const std::function<std::string()>& work, double seconds);
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

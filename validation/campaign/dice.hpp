@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace campaign {
+namespace plumbline::campaign {
 
 /// A stream of random numbers that starts at once and is the same everywhere: splitmix64 (Steele,
 /// Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
@@ -25,4 +25,4 @@ class Dice {
   std::uint64_t state_;
 };
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

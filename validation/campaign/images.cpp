@@ -4,9 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace campaign {
-
-using namespace plumbline;
+namespace plumbline::campaign {
 
 namespace {
 
@@ -123,4 +121,4 @@ ExactComplex sourced_by_itself(ExactComplex complex) {
   return complex;
 }
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

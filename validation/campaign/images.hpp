@@ -7,23 +7,21 @@
 
 /// What an exact complex becomes when its input is changed in a known way; all results are
 /// canonical.
-namespace campaign {
+namespace plumbline::campaign {
 
 /// Each source called by the id in `original`; equal ones once.
-plumbline::ExactComplex renamed(plumbline::ExactComplex complex,
-                                const std::vector<plumbline::SegmentId>& original);
+ExactComplex renamed(ExactComplex complex, const std::vector<SegmentId>& original);
 /// Negative for a map of the plane that turns it over, 0 for one that is not invertible.
-int determinant_sign(const plumbline::Affine& map);
+int determinant_sign(const Affine& map);
 /// The image under a map, which may turn the plane over. Requires: it is invertible.
-plumbline::ExactComplex mapped(plumbline::ExactComplex complex, const plumbline::Affine& map);
+ExactComplex mapped(ExactComplex complex, const Affine& map);
 /// With one more vertex at p, which cuts the edge that p is on. The same where p is a vertex.
 /// Requires: p is on an edge or a vertex.
-plumbline::ExactComplex with_vertex(plumbline::ExactComplex complex, const plumbline::Point& p);
+ExactComplex with_vertex(ExactComplex complex, const Point& p);
 /// The complex and a copy of it, moved, whose sources come `segments` later. Requires: neither lies
 /// in a bounded face of the other, and they do not meet.
-plumbline::ExactComplex with_copy(const plumbline::ExactComplex& complex,
-                                  const plumbline::Affine& move, std::size_t segments);
+ExactComplex with_copy(const ExactComplex& complex, const Affine& move, std::size_t segments);
 /// Edges that have themselves as sources: what is to come out when the edges are the input.
-plumbline::ExactComplex sourced_by_itself(plumbline::ExactComplex complex);
+ExactComplex sourced_by_itself(ExactComplex complex);
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

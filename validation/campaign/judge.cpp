@@ -7,9 +7,7 @@
 #include "plumbline/write.hpp"
 #include "verify/verify.hpp"
 
-namespace campaign {
-
-using namespace plumbline;
+namespace plumbline::campaign {
 
 std::string what_is_wrong(const SegmentSet& input, Relation relation, std::uint64_t seed) try {
   const ExactComplex complex = arrange(input, ExactEngine::Bucket, {1, {}});
@@ -26,4 +24,4 @@ std::string what_is_wrong(const SegmentSet& input, Relation relation, std::uint6
   return std::string("throws ") + error.what();
 }
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

@@ -8,6 +8,8 @@
 
 #include "campaign/campaign.hpp"
 
+using namespace plumbline;
+
 int main(int argc, char** argv) {
   CLI::App app("plumbline_campaign: exact arrangements of random inputs, held against all we know");
   campaign::Plan plan;
@@ -20,10 +22,10 @@ int main(int argc, char** argv) {
   app.add_option("--minutes", minutes, "how long at most")->check(CLI::PositiveNumber);
   app.add_option("--seed", plan.seed, "of the whole campaign");
   app.add_option("--family", plan.families, "only these; all if none is given")
-      ->check(CLI::IsMember(random_segments::families()));
+      ->check(CLI::IsMember(inputs::families()));
   app.add_option("--commit", commit, "what the summary calls the tested commit");
   CLI11_PARSE(app, argc, argv);
-  if (plan.families.empty()) plan.families = random_segments::families();
+  if (plan.families.empty()) plan.families = inputs::families();
   amount.seconds = 60 * minutes;
   const campaign::Summary summary = campaign::run(plan, amount);
   fmt::print("{}", campaign::table(plan, amount, summary, commit));

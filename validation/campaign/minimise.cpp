@@ -8,9 +8,7 @@
 
 #include "plumbline/error.hpp"
 
-namespace campaign {
-
-using namespace plumbline;
+namespace plumbline::campaign {
 
 namespace {
 
@@ -179,4 +177,4 @@ SegmentSet from_rows(const std::string& text) {
   return set_of(all);
 }
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

@@ -9,9 +9,7 @@
 #include "campaign/images.hpp"
 #include "plumbline/arrange.hpp"
 
-namespace campaign {
-
-using namespace plumbline;
+namespace plumbline::campaign {
 
 namespace {
 
@@ -208,4 +206,4 @@ bool holds(Relation relation, const SegmentSet& input, const ExactComplex& compl
   return false;
 }
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

@@ -6,7 +6,7 @@
 
 #include "plumbline/complex.hpp"
 
-namespace campaign {
+namespace plumbline::campaign {
 
 /// What is known of the arrangement of a changed input from that of the input: metamorphic
 /// relations (Chen, Cheung, Yiu, "Metamorphic testing", 1998).
@@ -28,7 +28,7 @@ std::string to_text(Relation relation);
 
 /// Whether the relation holds between the input and its arrangement, for a choice of segment, map
 /// and so on that the seed determines.
-bool holds(Relation relation, const plumbline::SegmentSet& input,
-           const plumbline::ExactComplex& complex, std::uint64_t seed);
+bool holds(Relation relation, const SegmentSet& input, const ExactComplex& complex,
+           std::uint64_t seed);
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

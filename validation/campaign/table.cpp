@@ -6,7 +6,7 @@
 
 #include "campaign/campaign.hpp"
 
-namespace campaign {
+namespace plumbline::campaign {
 namespace {
 
 FamilyTotals sum(const std::vector<FamilyTotals>& families) {
@@ -65,4 +65,4 @@ std::string table(const Plan& plan, const Amount& amount, const Summary& summary
   return text;
 }
 
-}  // namespace campaign
+}  // namespace plumbline::campaign

@@ -16,7 +16,7 @@
 
 #include "certificates/damage.hpp"
 #include "certificates/text.hpp"
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
@@ -24,8 +24,8 @@
 #include "verify/verify.hpp"
 
 using namespace plumbline;
-using certificate_damage::below;
-using certificate_damage::Random;
+using certificates::below;
+using certificates::Random;
 using plumbline_verify::Outcome;
 
 namespace {
@@ -66,7 +66,7 @@ std::string of_another_input(const Right& right, Random& random) {
     default:
       row += "\n" + row.substr(0, row.find(',')) + another.substr(another.find(','));
   }
-  return right_of(evaluate(read_lines(certificate_text::joined(kept), "other"))).certificate;
+  return right_of(evaluate(read_lines(certificates::joined(kept), "other"))).certificate;
 }
 
 /// Twice the side of the line from a to b that p is on, so many times as the ray from p upwards
@@ -105,8 +105,8 @@ bool is_strictly_inside(const ExactComplex& c, FaceId face, const Point& p) {
 
 /// Whether a text differs from the right one in points inside faces only, which lie there too.
 bool is_right(const Right& right, const std::string& text) {
-  const std::vector<std::string> said = certificate_text::lines_of(text);
-  const std::vector<std::string> lines = certificate_text::lines_of(right.certificate);
+  const std::vector<std::string> said = certificates::lines_of(text);
+  const std::vector<std::string> lines = certificates::lines_of(right.certificate);
   if (said.size() != lines.size()) return false;
   std::size_t face = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -138,9 +138,9 @@ class Campaign {
 
   void run(std::size_t count, unsigned seed) {
     for (std::size_t done = 0; done < count; ++seed) {
-      const std::vector<std::string>& families = random_segments::families();
+      const std::vector<std::string>& families = inputs::families();
       const std::string& family = families[seed % families.size()];
-      const Right right = right_of(random_segments::make(family, seed));
+      const Right right = right_of(inputs::of_family(family, seed));
       ++inputs_;
       const auto verdict = plumbline_verify::verify(right.input, right.certificate);
       if (verdict.outcome != Outcome::Proved) {
@@ -171,16 +171,15 @@ class Campaign {
  private:
   /// Whether it changed anything.
   bool damage(const Right& right, const std::string& name, Random& random) {
-    const auto& kinds = certificate_damage::kinds();
+    const auto& kinds = certificates::kinds();
     const auto only = std::find_if(kinds.begin(), kinds.end(),
                                    [&](const auto& kind) { return kind.name == only_; });
     const std::size_t k = only != kinds.end() ? static_cast<std::size_t>(only - kinds.begin())
                                               : below(random, kinds.size() + 1);
     const std::string kind = k < kinds.size() ? kinds[k].name : "of a slightly different input";
-    std::string text = k < kinds.size()
-                           ? certificate_damage::damaged(right.certificate, kinds[k], random)
-                           : of_another_input(right, random);
-    if (k < kinds.size() && below(random, 2) == 0) text = certificate_text::with_signature(text);
+    std::string text = k < kinds.size() ? certificates::damaged(right.certificate, kinds[k], random)
+                                        : of_another_input(right, random);
+    if (k < kinds.size() && below(random, 2) == 0) text = certificates::with_signature(text);
     const auto verdict = plumbline_verify::verify(right.input, text);
     Tally& tally = tally_[kind];
     if (verdict.outcome == Outcome::Refused) {

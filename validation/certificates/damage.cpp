@@ -7,7 +7,7 @@
 #include "certificates/fields.hpp"
 #include "certificates/forget_meetings.hpp"
 
-namespace certificate_damage {
+namespace plumbline::certificates {
 
 std::size_t below(Random& random, std::size_t bound) { return random() % bound; }
 
@@ -326,4 +326,4 @@ std::string damaged(const std::string& text, const Kind& kind, Random& random) {
   return fields.text();
 }
 
-}  // namespace certificate_damage
+}  // namespace plumbline::certificates

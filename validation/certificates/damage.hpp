@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Ways to damage the text of a certificate.
-namespace certificate_damage {
+namespace plumbline::certificates {
 
 class Fields;
 using Random = std::mt19937;
@@ -26,4 +26,4 @@ const std::vector<Kind>& kinds();
 /// The text after one damage of the kind.
 std::string damaged(const std::string& text, const Kind& kind, Random& random);
 
-}  // namespace certificate_damage
+}  // namespace plumbline::certificates

@@ -7,7 +7,7 @@
 
 #include "certificates/text.hpp"
 
-namespace certificate_damage {
+namespace plumbline::certificates {
 
 using Line = std::vector<std::string>;
 
@@ -15,7 +15,7 @@ using Line = std::vector<std::string>;
 class Fields {
  public:
   explicit Fields(const std::string& text) {
-    for (const std::string& line : certificate_text::lines_of(text)) {
+    for (const std::string& line : lines_of(text)) {
       lines.emplace_back();
       for (std::size_t begin = 0, end = 0; end != line.npos; begin = end + 1) {
         end = line.find(' ', begin);
@@ -56,4 +56,4 @@ class Fields {
   std::vector<Line> lines;
 };
 
-}  // namespace certificate_damage
+}  // namespace plumbline::certificates

@@ -5,7 +5,7 @@
 
 #include "certificates/fields.hpp"
 
-namespace certificate_damage {
+namespace plumbline::certificates {
 namespace {
 
 struct Edge {
@@ -115,4 +115,4 @@ void forget_meetings(Fields& fields, Random& random) {
   fields.replace("vertices", lines);
 }
 
-}  // namespace certificate_damage
+}  // namespace plumbline::certificates

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace certificate_text {
+namespace plumbline::certificates {
 namespace {
 
 /// The number in base 16, or the text itself if it is no number.
@@ -93,4 +93,4 @@ std::string with_signature(std::string_view text) {
   return joined(lines);
 }
 
-}  // namespace certificate_text
+}  // namespace plumbline::certificates

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// The texts of certificates (docs/certificate.md), for tests that damage them.
-namespace certificate_text {
+namespace plumbline::certificates {
 
 /// Its lines, without their line breaks.
 std::vector<std::string> lines_of(std::string_view text);
@@ -15,4 +15,4 @@ std::string joined(const std::vector<std::string>& lines);
 /// by it. Lines that are no part of a certificate are passed over.
 std::string with_signature(std::string_view text);
 
-}  // namespace certificate_text
+}  // namespace plumbline::certificates

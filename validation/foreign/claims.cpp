@@ -7,9 +7,7 @@
 
 #include "plumbline/arrange.hpp"
 
-namespace foreign {
-
-using namespace plumbline;
+namespace plumbline::foreign {
 
 namespace {
 
@@ -236,4 +234,4 @@ ClippedArea clipped_area(const SegmentSet& input, const AreaClaim& claim) {
   return result;
 }
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

@@ -3,7 +3,7 @@
 #include "cases/foreign/foreign.hpp"
 #include "cases/foreign/well_known_text.hpp"
 
-namespace foreign {
+namespace plumbline::foreign {
 
 /// Validity as OGC SFA 1.2.1 and JTS define it, read off exact arrangements. **Exact**. Points
 /// always are valid; lines are with two different points; polygons are if no piece of a line is
@@ -17,10 +17,10 @@ bool is_simple(const Geometry& geometry);
 
 /// What a boolean operation gives.
 struct ClippedArea {
-  plumbline::Rational area;  ///< **exact**
-  double perimeter = 0;      ///< **rounded**
-  std::size_t edges = 0;     ///< of its boundary
+  Rational area;          ///< **exact**
+  double perimeter = 0;   ///< **rounded**
+  std::size_t edges = 0;  ///< of its boundary
 };
-ClippedArea clipped_area(const plumbline::SegmentSet& input, const AreaClaim& claim);
+ClippedArea clipped_area(const SegmentSet& input, const AreaClaim& claim);
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

@@ -11,9 +11,7 @@
 #include "plumbline/write.hpp"
 #include "verify/verify.hpp"
 
-namespace foreign {
-
-using namespace plumbline;
+namespace plumbline::foreign {
 
 namespace {
 
@@ -98,4 +96,4 @@ Row examined(const std::filesystem::path& file, const std::string& name) {
   return row;
 }
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

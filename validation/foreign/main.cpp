@@ -8,6 +8,8 @@
 
 #include "foreign/table.hpp"
 
+using namespace plumbline;
+
 int main(int argc, char** argv) {
   std::vector<std::filesystem::path> files;
   if (argc == 2) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace foreign {
+namespace plumbline::foreign {
 namespace {
 
 std::string outcome(std::size_t wrong) {
@@ -99,4 +99,4 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

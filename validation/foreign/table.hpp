@@ -7,7 +7,7 @@
 
 #include "cases/foreign/foreign.hpp"
 
-namespace foreign {
+namespace plumbline::foreign {
 
 /// What was found on the cases of one file.
 struct Row {
@@ -35,4 +35,4 @@ Row examined(const std::filesystem::path& file, const std::string& name);
 /// hold.
 std::string table(const std::vector<Row>& rows);
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

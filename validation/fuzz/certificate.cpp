@@ -36,7 +36,7 @@ struct Graph {
 
 /// Vertices and edges of a certificate that was proved.
 Graph graph_of(const std::string& text, const plumbline_verify::Counts& counts) {
-  const std::vector<std::string> lines = certificate_text::lines_of(text);
+  const std::vector<std::string> lines = plumbline::certificates::lines_of(text);
   Graph graph;
   for (std::size_t v = 0; v < counts.vertices; ++v) {
     std::istringstream fields(lines.at(3 + v));
@@ -106,6 +106,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t start = std::min(text.find("plumbline certificate"), size);
   const std::string certificate(text.substr(start));
   check(text.substr(0, start), certificate);
-  check(text.substr(0, start), certificate_text::with_signature(certificate));
+  check(text.substr(0, start), plumbline::certificates::with_signature(certificate));
   return 0;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace random_segments {
+namespace plumbline::inputs {
 
 Draw::Draw(const std::string& family, unsigned seed, Extent extent)
     : random_(seed),
@@ -95,9 +95,9 @@ void Draw::renumber() {
   }
 }
 
-plumbline::SegmentSet Draw::take() {
+SegmentSet Draw::take() {
   set_.rejected.clear();
   return std::move(set_);
 }
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

@@ -5,11 +5,7 @@
 
 #include "plumbline/geometry.hpp"
 
-namespace random_segments {
-
-using plumbline::Point;
-using plumbline::Rational;
-using plumbline::Segment;
+namespace plumbline::inputs {
 
 inline Point operator+(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y}; }
 inline Point operator-(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y}; }
@@ -55,7 +51,7 @@ class Draw {
   /// Replaces all points by their images.
   template <class Map>
   void change(Map map) {
-    plumbline::SegmentList changed;
+    SegmentList changed;
     for (const Segment& s : set_.segments) changed.push_back({map(s.a), map(s.b)});
     set_.segments = std::move(changed);
     for (Point& p : set_.points) p = map(p);
@@ -68,13 +64,13 @@ class Draw {
   /// off here and there, or other rationals: to reach every kind of number.
   void renumber();
 
-  plumbline::SegmentSet take();
+  SegmentSet take();
 
  private:
   std::mt19937 random_;
   Extent extent_;
-  plumbline::SegmentSet set_;
-  plumbline::SourceId source_;
+  SegmentSet set_;
+  SourceId source_;
 };
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

@@ -9,7 +9,7 @@
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
 
-namespace plumbline::workloads {
+namespace plumbline::inputs {
 namespace {
 
 /// splitmix64 (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", 2014): the
@@ -245,7 +245,7 @@ SegmentSet hospital(const std::filesystem::path& directory) {
   return builder.take();
 }
 
-SegmentSet make(const std::string& name, const std::filesystem::path& directory) {
+SegmentSet workload(const std::string& name, const std::filesystem::path& directory) {
   const std::uint64_t size = size_of(name);
   const std::string family = name.substr(0, name.find('_'));
   if (family == "R1") return random_segments(size);
@@ -291,4 +291,4 @@ const Known* known(const std::string& name) {
   return nullptr;
 }
 
-}  // namespace plumbline::workloads
+}  // namespace plumbline::inputs

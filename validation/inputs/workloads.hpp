@@ -8,7 +8,7 @@
 #include "plumbline/geometry.hpp"
 
 /// The inputs that speed is measured on, the same on every machine. Coordinates are exact decimals.
-namespace plumbline::workloads {
+namespace plumbline::inputs {
 
 /// n segments of one length, centres and directions random in the unit square; some n crossings.
 SegmentSet random_segments(std::uint64_t n);
@@ -39,7 +39,7 @@ SegmentSet hospital(const std::filesystem::path& directory);
 /// A workload by its name and size: R1_1e5 (random_segments), R5_5e3 (random_lines), G_300 (grid),
 /// Gr_300 (turned_grid), D_1e4 (lattice_segments), S_1e4 (stars), S1_1e3 (pencil), P_10 (tiles of
 /// the hospital in `directory`). Throws: Error BadInput for another name.
-SegmentSet make(const std::string& name, const std::filesystem::path& directory = {});
+SegmentSet workload(const std::string& name, const std::filesystem::path& directory = {});
 
 /// What is known of a workload from elsewhere: counts of CGAL's arrangement and of a prototype that
 /// shares no code with either engine, and the number of pairs that cross in their interiors.
@@ -51,4 +51,4 @@ const std::vector<Known>& known();
 /// Nothing (a null pointer) for a name that is not listed.
 const Known* known(const std::string& name);
 
-}  // namespace plumbline::workloads
+}  // namespace plumbline::inputs

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <map>
 
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 #include "mutations/mutations.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
@@ -82,11 +82,11 @@ int main(int argc, char** argv) try {
     return 2;
   }
   Campaign campaign;
-  const std::vector<std::string>& families = random_segments::families();
+  const std::vector<std::string>& families = inputs::families();
   for (unsigned long i = 0; i < count; ++i) {
     const std::string& family = families[i % families.size()];
     const auto seed = static_cast<unsigned>(first + i / families.size());
-    const ExactComplex right = arrange(random_segments::make(family, seed));
+    const ExactComplex right = arrange(inputs::of_family(family, seed));
     if (right.vertices.size() > kMostVertices) continue;
     campaign.test(fmt::format("family \"{}\", seed {}", family, seed), right, seed);
   }

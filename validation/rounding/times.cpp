@@ -31,7 +31,7 @@ std::string timed(const ExactComplex& complex, const Grid& grid) {
 }
 
 void print_row(const std::string& name) {
-  const SegmentSet input = workloads::make(name);
+  const SegmentSet input = inputs::workload(name);
   const std::clock_t start = std::clock();
   const ExactComplex complex = arrange(input, ExactEngine::Bucket, {1, {}});
   const double arranging = seconds_since(start);

@@ -27,7 +27,7 @@ double seconds(const std::function<void()>& job) {
 }
 
 void print_row(const std::string& name) {
-  const SegmentSet input = workloads::make(name);
+  const SegmentSet input = inputs::workload(name);
   ExactComplex complex;
   FloatComplex floats;
   Comparison verdict;

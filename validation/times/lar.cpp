@@ -52,7 +52,7 @@ std::string published_cells(const SegmentSet& input) {
 }
 
 void print_row(const std::string& name) {
-  const SegmentSet input = workloads::make(name);
+  const SegmentSet input = inputs::workload(name);
   const std::size_t n = input.segments.size();
   const ArrangeOptions one_thread{1, {}};
   fmt::print("| {} | {} | {} | {} | {} | {} |\n", name, n,

@@ -8,7 +8,7 @@
 #include "plumbline/geometry.hpp"
 
 /// Test cases of other geometry libraries as line work, and what their files say of them.
-namespace foreign {
+namespace plumbline::foreign {
 
 /// What a file says of a geometry that it gives as well-known text.
 struct Claim {
@@ -26,14 +26,14 @@ struct AreaClaim {
   Operation operation;
   /// Of the case's segments, those before it are the subject's, those from here on the clip's.
   std::size_t first_clip;
-  plumbline::Rational area;
+  Rational area;
   double rounding;   ///< how far the corners of that result may be from where they belong
   double perimeter;  ///< of that result, if it is given; else 0
 };
 
 struct Case {
   std::string name;
-  plumbline::SegmentSet input;  ///< with what could not be drawn in `rejected`
+  SegmentSet input;  ///< with what could not be drawn in `rejected`
   std::vector<Claim> claims;
   std::vector<AreaClaim> areas;
   std::vector<std::string> unexamined;  ///< operations whose outcomes are not looked at
@@ -59,4 +59,4 @@ std::vector<Case> ioverlay(std::string_view text);
 /// and what the project's reader takes. Throws: as those; Error BadInput for another name.
 std::vector<Case> read_file(const std::filesystem::path& file);
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

@@ -6,9 +6,7 @@
 #include "cases/foreign/foreign.hpp"
 #include "cases/foreign/paths.hpp"
 
-namespace foreign {
-
-using namespace plumbline;
+namespace plumbline::foreign {
 
 namespace {
 
@@ -55,4 +53,4 @@ std::vector<Case> ioverlay(std::string_view text) {
   return {one};
 }
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

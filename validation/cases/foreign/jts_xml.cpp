@@ -11,9 +11,7 @@
 #include "cases/foreign/well_known_text.hpp"
 #include "plumbline/read.hpp"
 
-namespace foreign {
-
-using namespace plumbline;
+namespace plumbline::foreign {
 
 namespace {
 
@@ -161,4 +159,4 @@ std::vector<Case> jts_xml(std::string_view text) {
   return cases;
 }
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

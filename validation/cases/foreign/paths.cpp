@@ -1,8 +1,6 @@
 #include "cases/foreign/paths.hpp"
 
-namespace foreign {
-
-using namespace plumbline;
+namespace plumbline::foreign {
 
 Path points(std::string_view text) {
   constexpr std::string_view kBetween = " \t\r\n,";
@@ -31,4 +29,4 @@ void add_closed(SegmentSet& set, const Path& path) {
   if (path.size() > 1 && !(path.front() == path.back())) add_open(set, {path.back(), path.front()});
 }
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

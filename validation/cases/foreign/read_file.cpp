@@ -4,24 +4,24 @@
 #include "cases/foreign/foreign.hpp"
 #include "plumbline/read.hpp"
 
-namespace foreign {
+namespace plumbline::foreign {
 
 std::vector<Case> read_file(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   const auto ends = [&](const char* ending) { return name.ends_with(ending); };
   if (ends(".geojson") || ends(".wkt") || ends(".wkb"))
-    return {{"", plumbline::evaluate(plumbline::read(file)), {}, {}, {}}};
+    return {{"", evaluate(read(file)), {}, {}, {}}};
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) {
-    throw plumbline::Error(plumbline::ErrorCode::BadFile, "cannot be read", {file.string(), 0, 0});
+    throw Error(ErrorCode::BadFile, "cannot be read", {file.string(), 0, 0});
   }
   if (ends(".xml")) return jts_xml(text);
   if (ends(".cdt.txt")) return cdt(text);
   if (ends(".txt")) return clipper2(text);
   if (ends(".dat")) return poly2tri(text);
   if (ends(".json")) return ioverlay(text);
-  throw plumbline::Error(plumbline::ErrorCode::BadInput, "a format that nothing here reads");
+  throw Error(ErrorCode::BadInput, "a format that nothing here reads");
 }
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

@@ -8,9 +8,7 @@
 #include "cases/foreign/foreign.hpp"
 #include "cases/foreign/paths.hpp"
 
-namespace foreign {
-
-using namespace plumbline;
+namespace plumbline::foreign {
 
 namespace {
 
@@ -145,4 +143,4 @@ std::vector<Case> poly2tri(std::string_view text) {
   return {one};
 }
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

@@ -5,9 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace foreign {
-
-using namespace plumbline;
+namespace plumbline::foreign {
 
 namespace {
 
@@ -145,4 +143,4 @@ double perimeter(const Geometry& geometry) {
 
 Geometry geometry(std::string_view text) { return Parser(text).whole(); }
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

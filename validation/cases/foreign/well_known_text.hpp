@@ -5,7 +5,7 @@
 
 #include "cases/foreign/paths.hpp"
 
-namespace foreign {
+namespace plumbline::foreign {
 
 /// A geometry with its structure, which segments alone do not have. Empty rings and polygons are
 /// left out.
@@ -18,11 +18,11 @@ struct Geometry {
 };
 
 /// The area of all polygons, by their shells less their holes. **Exact**.
-plumbline::Rational area(const Geometry& geometry);
+Rational area(const Geometry& geometry);
 /// The length of their rings. **Rounded**.
 double perimeter(const Geometry& geometry);
 
 /// Well-known text of two dimensions. Throws: Error BadInput.
 Geometry geometry(std::string_view text);
 
-}  // namespace foreign
+}  // namespace plumbline::foreign

@@ -1,6 +1,6 @@
 #include "inputs/families/floor_plans.hpp"
 
-namespace random_segments {
+namespace plumbline::inputs {
 namespace {
 
 /// A wall from a to b: two lines, `thick` apart, closed at its ends or not.
@@ -54,4 +54,4 @@ void floor_plan(Draw& draw) {
   draw.add_points(4 * step);
 }
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

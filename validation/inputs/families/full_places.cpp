@@ -2,7 +2,7 @@
 
 #include "inputs/draw.hpp"
 
-namespace random_segments {
+namespace plumbline::inputs {
 namespace {
 
 /// More than a bucket tests pair by pair; seldom many more.
@@ -115,4 +115,4 @@ void stars_on_lattice(Draw& draw) {
   if (draw.one_in(2)) draw.renumber();
 }
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace random_segments {
+namespace plumbline::inputs {
 
 class Draw;
 
@@ -20,4 +20,4 @@ void pencil_in_bundle(Draw& draw);
 /// Segments between the points of a lattice of thirds: a pencil in each.
 void stars_on_lattice(Draw& draw);
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

@@ -1,6 +1,6 @@
 #include "inputs/families/near_misses.hpp"
 
-namespace random_segments {
+namespace plumbline::inputs {
 namespace {
 
 /// The point itself, or one that is a few units off.
@@ -71,4 +71,4 @@ void t_junctions_on_slants(Draw& draw) {
   draw.add_points(9);
 }
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

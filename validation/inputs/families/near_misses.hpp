@@ -2,7 +2,7 @@
 
 #include "inputs/draw.hpp"
 
-namespace random_segments {
+namespace plumbline::inputs {
 
 /// Segments that end at, go through, or miss by a tiny length the place where two others cross,
 /// which is seldom a decimal.
@@ -13,4 +13,4 @@ void near_coincident_corners(Draw& draw);
 /// the same place; and others on those.
 void t_junctions_on_slants(Draw& draw);
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

@@ -1,6 +1,6 @@
 #include "inputs/families/scales_and_turns.hpp"
 
-namespace random_segments {
+namespace plumbline::inputs {
 
 void chain_of_scales(Draw& draw) {
   Point at = draw.lattice(5);
@@ -28,4 +28,4 @@ void lattices_turned(Draw& draw) {
   draw.add_points(side);
 }
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

@@ -2,7 +2,7 @@
 
 #include "inputs/draw.hpp"
 
-namespace random_segments {
+namespace plumbline::inputs {
 
 /// Segments from 1e-9 to 1e9 long, each begun at an end or inside of another one.
 void chain_of_scales(Draw& draw);
@@ -10,4 +10,4 @@ void chain_of_scales(Draw& draw);
 /// rational sine and cosine.
 void lattices_turned(Draw& draw);
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

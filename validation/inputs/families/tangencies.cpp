@@ -1,6 +1,6 @@
 #include "inputs/families/tangencies.hpp"
 
-namespace random_segments {
+namespace plumbline::inputs {
 namespace {
 
 /// The grid lines of a parallelogram: columns along v and rows along u.
@@ -67,4 +67,4 @@ void rings_touching_at_points(Draw& draw) {
   draw.add_points(6);
 }
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

@@ -8,7 +8,7 @@
 
 /// Families of small random inputs that hurt an arrangement. Each input is determined by its
 /// family, seed and extent.
-namespace random_segments {
+namespace plumbline::inputs {
 
 /// Their names: what each is built to hurt.
 const std::vector<std::string>& families();
@@ -18,11 +18,11 @@ enum class Cost {
   Dear,       ///< about twice as much: its numbers are long or its segments more
   FullPlace,  ///< has no small inputs, since it puts more into a place than a bucket tests by pairs
 };
-/// Throws: std::out_of_range for another name; `make` as well.
+/// Throws: std::out_of_range for another name; `of_family` as well.
 Cost cost(const std::string& family);
 
 /// An input of some ten segments, small ones of some five, in the families of full places some
 /// thirty to 300.
-plumbline::SegmentSet make(const std::string& family, unsigned seed, Extent extent = Extent::Usual);
+SegmentSet of_family(const std::string& family, unsigned seed, Extent extent = Extent::Usual);
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

@@ -1,4 +1,4 @@
-#include "inputs/random_segments.hpp"
+#include "inputs/families.hpp"
 
 #include <stdexcept>
 
@@ -9,7 +9,7 @@
 #include "inputs/families/scales_and_turns.hpp"
 #include "inputs/families/tangencies.hpp"
 
-namespace random_segments {
+namespace plumbline::inputs {
 namespace {
 
 void lattice(Draw& draw) {
@@ -242,11 +242,11 @@ const std::vector<std::string>& families() {
 
 Cost cost(const std::string& family) { return maker_of(family).cost; }
 
-plumbline::SegmentSet make(const std::string& family, unsigned seed, Extent extent) {
+SegmentSet of_family(const std::string& family, unsigned seed, Extent extent) {
   const Maker& maker = maker_of(family);
   Draw draw(family, seed, extent);
   maker.make(draw);
   return draw.take();
 }
 
-}  // namespace random_segments
+}  // namespace plumbline::inputs

@@ -9,7 +9,7 @@
 
 /// Inputs on which the time or memory of an arrangement may fall off a cliff: everything in one
 /// place, many scales at once, or a quadratic number of pairs behind a small result.
-namespace plumbline::workloads {
+namespace plumbline::inputs {
 
 struct Hostile {
   struct Cells {
@@ -24,6 +24,6 @@ struct Hostile {
   std::optional<Cells> (*cells)(std::uint64_t size);
 };
 
-const std::vector<Hostile>& hostile_inputs();
+const std::vector<Hostile>& hostile();
 
-}  // namespace plumbline::workloads
+}  // namespace plumbline::inputs

@@ -1,4 +1,4 @@
-#include "inputs/hostile_inputs.hpp"
+#include "inputs/hostile.hpp"
 
 #include <cmath>
 #include <string_view>
@@ -6,7 +6,7 @@
 
 #include "inputs/workloads.hpp"
 
-namespace plumbline::workloads {
+namespace plumbline::inputs {
 namespace {
 
 using Size = std::uint64_t;
@@ -166,7 +166,7 @@ std::optional<Cells> with_a_wall(Size n) {
 
 }  // namespace
 
-const std::vector<Hostile>& hostile_inputs() {
+const std::vector<Hostile>& hostile() {
   constexpr Size k1e3 = 1000, k1e4 = 10'000, k1e5 = 100'000, k1e6 = 1'000'000;
   static const std::vector<Hostile> all{
       {"copies of one segment", one_segment, k1e5, k1e3, one_edge},
@@ -189,4 +189,4 @@ const std::vector<Hostile>& hostile_inputs() {
   return all;
 }
 
-}  // namespace plumbline::workloads
+}  // namespace plumbline::inputs
