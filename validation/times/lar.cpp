@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
 #include <functional>
-#include <iostream>
 
 #include "inputs/workloads.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/lar.hpp"
+#include "times/table.hpp"
 
 using namespace plumbline;
 
@@ -24,16 +23,12 @@ bool takes_cgal_minutes(const std::string& workload, std::size_t segments) {
   return segments > 100'000 || (workload.starts_with("S1_") && segments > 1000);
 }
 
-std::string timed(const std::function<std::string()>& job) {
-  const std::clock_t start = std::clock();
+std::string timed(const std::function<std::string()>& job) try {
   std::string cells;
-  try {
-    cells = job();
-  } catch (const Error& error) {
-    return error.message();
-  }
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const double seconds = times::seconds([&] { cells = job(); });
   return fmt::format("{:.2f} s, {}", seconds, cells);
+} catch (const Error& error) {
+  return error.message();
 }
 
 std::string cells(std::size_t vertices, std::size_t edges, std::size_t faces) {
@@ -55,27 +50,20 @@ void print_row(const std::string& name) {
   const SegmentSet input = inputs::workload(name);
   const std::size_t n = input.segments.size();
   const ArrangeOptions one_thread{1, {}};
-  fmt::print("| {} | {} | {} | {} | {} | {} |\n", name, n,
-             timed([&] { return published_cells(input); }),
-             timed([&] { return cells(lar::arrange(input, {0.0}).complex); }),
-             timed([&] { return cells(arrange(input, ExactEngine::Bucket, one_thread)); }),
-             takes_cgal_minutes(name, n) ? "" : timed([&] {
-               return cells(arrange(input, ExactEngine::Cgal));
-             }));
-  std::fflush(stdout);
+  fmt::print(
+      "| {} | {} | {} | {} | {} | {} |\n", name, n, timed([&] { return published_cells(input); }),
+      timed([&] { return cells(lar::arrange(input, {0.0}).complex); }),
+      timed([&] { return cells(arrange(input, ExactEngine::Bucket, one_thread)); }),
+      takes_cgal_minutes(name, n) ? ""
+                                  : timed([&] { return cells(arrange(input, ExactEngine::Cgal)); }));
 }
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  const std::vector<std::string> names =
-      argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : kRecorded;
-  fmt::print(
-      "| workload | segments | LAR as published | LAR repaired | bucket, 1 thread | CGAL |\n");
-  fmt::print("| --- | --- | --- | --- | --- | --- |\n");
-  for (const std::string& name : names) print_row(name);
-  return 0;
-} catch (const Error& error) {
-  std::cerr << error.what() << '\n';
-  return 2;
+int main(int argc, char** argv) {
+  return times::print_table(
+      argc, argv, kRecorded,
+      "| workload | segments | LAR as published | LAR repaired | bucket, 1 thread | CGAL |\n"
+      "| --- | --- | --- | --- | --- | --- |\n",
+      print_row);
 }

@@ -6,22 +6,15 @@
 #include <sys/resource.h>
 
 #include <cstdlib>
-#include <ctime>
-#include <functional>
 
 #include "plumbline/structure.hpp"
+#include "times/table.hpp"
 
 using namespace plumbline;
 
 namespace {
 
 constexpr std::size_t kRow = 1000;
-
-double seconds(const std::function<void()>& job) {
-  const std::clock_t start = std::clock();
-  job();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
 
 long peak_megabytes() {
   rusage usage{};
@@ -55,7 +48,7 @@ Structure plan(std::size_t instances, const Affine& map) {
 double in_rationals(std::size_t instances, const Affine& map) {
   std::array<Rational, 6> e;
   for (std::size_t i = 0; i < e.size(); ++i) e[i] = map.entries()[i].rational();
-  return seconds([&] {
+  return times::seconds([&] {
     for (std::size_t i = 0; i < instances; ++i) {
       for (const int corner : {0, 1, 2, 3}) {
         Rational x(static_cast<long>(41 * (i % kRow)) + 40 * (corner % 2), 10);
@@ -73,12 +66,12 @@ double in_rationals(std::size_t instances, const Affine& map) {
 void print_row(const char* what, std::size_t instances, const Affine& map) {
   const Structure structure = plan(instances, map);
   std::size_t walked = 0;
-  const double walking = seconds([&] {
+  const double walking = times::seconds([&] {
     for (Traversal t(structure); t.next();) ++walked;
   });
-  const double boxing = seconds([&] { box(structure); });
+  const double boxing = times::seconds([&] { box(structure); });
   std::size_t segments = 0;
-  const double flattening = seconds([&] { segments = evaluate(structure).segments.size(); });
+  const double flattening = times::seconds([&] { segments = evaluate(structure).segments.size(); });
   const double rational = in_rationals(instances, map);
   fmt::print("| {} | {} | {:.2f} s | {:.3f} s | {:.2f} s | {} | {:.2f} s | {:.1f} | {} MB |\n",
              what, walked, walking, boxing, flattening, segments, rational, rational / flattening,
