@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 
 #include "plumbline/error.hpp"
 
@@ -70,22 +71,32 @@ void check_set(const SegmentSet& set) {
   }
 }
 
+using Read = std::function<Structure(std::string_view)>;
+
+void check_result(const Read& read, const std::uint8_t* data, std::size_t size) {
+  try {
+    const Structure structure = read({reinterpret_cast<const char*>(data), size});
+    check_set(evaluate(structure, {kMaxWords}));
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::Internal) fail(error.what());
+    check_text(error.what(), "an error");
+  }
+}
+
 }  // namespace
 
 void check_reader(Structure (*read)(std::string_view, const std::string&, const ReadOptions&),
                   const std::uint8_t* data, std::size_t size) {
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
   for (const bool visible_only : {false, true}) {
     ReadOptions options;
     options.visible_only = visible_only;
-    try {
-      const Structure structure = read(text, kFile, options);
-      check_set(evaluate(structure, {kMaxWords}));
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::Internal) fail(error.what());
-      check_text(error.what(), "an error");
-    }
+    check_result([&](std::string_view text) { return read(text, kFile, options); }, data, size);
   }
+}
+
+void check_reader(Structure (*read)(std::string_view, const std::string&), const std::uint8_t* data,
+                  std::size_t size) {
+  check_result([&](std::string_view text) { return read(text, kFile); }, data, size);
 }
 
 }  // namespace plumbline

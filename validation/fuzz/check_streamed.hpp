@@ -7,9 +7,9 @@
 
 namespace plumbline {
 
-/// `check_reader` for a reader of streams. Aborts also if it reads the bytes otherwise where they
-/// come in blocks of a few bytes than as one text.
-void check_streamed(Structure (*read)(ByteStream&),
+/// `check_reader` for a reader that also takes a stream. Aborts also if it reads the bytes
+/// otherwise where they come in blocks of a few bytes than as one text.
+void check_streamed(Structure (*read)(ByteStream&, const FeatureOptions&),
                     Structure (*read_text)(std::string_view, const std::string&),
                     const std::uint8_t* data, std::size_t size);
 

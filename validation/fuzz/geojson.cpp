@@ -1,19 +1,6 @@
-#include "check_reader.hpp"
 #include "check_streamed.hpp"
 
-namespace {
-
-plumbline::Structure read(std::string_view text, const std::string& name,
-                          const plumbline::ReadOptions& /*options*/) {
-  return plumbline::read_geojson(text, name);
-}
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  plumbline::check_reader(read, data, size);
-  plumbline::check_streamed(
-      [](plumbline::ByteStream& bytes) { return plumbline::read_geojson(bytes); },
-      plumbline::read_geojson, data, size);
+  plumbline::check_streamed(plumbline::read_geojson, plumbline::read_geojson, data, size);
   return 0;
 }

@@ -1,15 +1,6 @@
 #include "check_reader.hpp"
 
-namespace {
-
-plumbline::Structure read(std::string_view text, const std::string& name,
-                          const plumbline::ReadOptions& /*options*/) {
-  return plumbline::read_lines(text, name);
-}
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  plumbline::check_reader(read, data, size);
+  plumbline::check_reader(plumbline::read_lines, data, size);
   return 0;
 }
