@@ -5,24 +5,8 @@ set -uo pipefail
 verify=$1
 plumbline=$2
 certificates=$3
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 2
-failures=0
-
-# expect NAME EXIT-CODE PATTERN COMMAND...: the command's output (both streams) matches the pattern.
-expect() {
-  local name=$1 code=$2 pattern=$3 output status=0
-  shift 3
-  output=$("$@" 2>&1) || status=$?
-  if [[ $status == "$code" && $output =~ $pattern ]]; then
-    echo "ok: $name"
-  else
-    echo "FAILED: $name: exit $status, expected $code; output, expected /$pattern/:"
-    echo "$output" | head -20
-    failures=$((failures + 1))
-  fi
-}
+# shellcheck source-path=SCRIPTDIR source=support/expect.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/expect.sh"
 
 for file in "$certificates"/*.txt; do
   name=$(basename "$file" .txt)
@@ -60,4 +44,4 @@ expect "an empty certificate is refused" 1 'empty: refused: line 1: it ends befo
 [[ ! -e /dev/full ]] ||
   expect "a verdict that cannot be written is no success" 2 '' bash -c "'$verify' crossing.lines crossing.certificate >/dev/full"
 
-exit "$((failures > 0))"
+finish
