@@ -47,7 +47,7 @@ room(plumbline error number geometry structure read complex triangulate arrange 
      pipeline)
 room(cli error detail read arrange round certificate engines/inters/stages engines/files output
      engines/lar/show pipeline plumbline)
-room(verify)
+room(checker)
 
 # The room of a header in include/plumbline/, if it is not that of its name.
 set(room_of_cgal arrange)

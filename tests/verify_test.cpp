@@ -1,6 +1,6 @@
 // The independent checker on certificates written by hand, and on texts that are none.
 
-#include "verify/verify.hpp"
+#include "checker/verify.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "checker/verify.hpp"
 #include "hand_certificates.hpp"
-#include "verify/verify.hpp"
 
 namespace corruptions {
 

@@ -2,10 +2,10 @@
 
 #include <exception>
 
+#include "checker/verify.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/certificate.hpp"
 #include "plumbline/write.hpp"
-#include "verify/verify.hpp"
 
 namespace plumbline::campaign {
 

@@ -21,7 +21,7 @@
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
 #include "plumbline/write.hpp"
-#include "verify/verify.hpp"
+#include "checker/verify.hpp"
 
 using namespace plumbline;
 using certificates::below;

@@ -9,7 +9,6 @@
 #include "plumbline/arrange.hpp"
 #include "plumbline/certificate.hpp"
 #include "plumbline/write.hpp"
-#include "verify/verify.hpp"
 
 namespace plumbline::foreign {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "certificates/text.hpp"
-#include "verify/verify.hpp"
+#include "checker/verify.hpp"
 
 using plumbline_verify::Outcome;
 using plumbline_verify::Verdict;

@@ -6,7 +6,7 @@
 #include "engines/lar/explain/run.hpp"
 #include "plumbline/engines/lar.hpp"
 // Found: the independent checker.
-#include "verify/verify.hpp"
+#include "checker/verify.hpp"
 // Allowed.
 #include "arrange/sweep.hpp"
 #include "complex/planarity.hpp"

@@ -6,5 +6,5 @@
 // Allowed.
 #include <gmpxx.h>
 
+#include "checker/line.hpp"
 #include "line.hpp"
-#include "verify/line.hpp"
