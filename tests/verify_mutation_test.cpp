@@ -3,8 +3,8 @@
 #include "support/corruptions.hpp"
 
 using namespace corruptions;
-using plumbline_verify::report;
-using plumbline_verify::verify;
+using plumbline_checker::report;
+using plumbline_checker::verify;
 
 TEST_CASE("vertices and edges that are not in order are refused") {
   check({

@@ -8,10 +8,10 @@
 #include "support/hand_certificates.hpp"
 
 using hand_certificates::cases;
-using plumbline_verify::Outcome;
-using plumbline_verify::report;
-using plumbline_verify::Verdict;
-using plumbline_verify::verify;
+using plumbline_checker::Outcome;
+using plumbline_checker::report;
+using plumbline_checker::Verdict;
+using plumbline_checker::verify;
 
 namespace {
 

@@ -9,7 +9,7 @@
 
 #include "refusal.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 /// An integer of at most nine digits and no leading zero, so that it is below kNone.
@@ -218,4 +218,4 @@ void require(const std::string& item, std::string_view said, std::string_view ri
                 place != nullptr ? text_of(*place) : ""};
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

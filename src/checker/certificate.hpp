@@ -9,7 +9,7 @@
 #include "input.hpp"
 #include "number.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 
 using Index = std::uint32_t;
 inline constexpr Index kNone = 0xFFFFFFFF;
@@ -61,4 +61,4 @@ Certificate read_certificate(std::string_view text, const Input& input);
 void require(const std::string& item, std::string_view said, std::string_view right,
              std::size_t line, const Point* place = nullptr);
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

@@ -5,7 +5,7 @@
 #include "refusal.hpp"
 #include "steps.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 /// For each segment its edges by position. (Edges name segments that exist, and each names one.)
@@ -67,4 +67,4 @@ void check_covering(const Input& input, const Certificate& certificate) {
   }
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

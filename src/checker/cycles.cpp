@@ -4,7 +4,7 @@
 
 #include "steps.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 
 Cycles check_cycles(const Certificate& certificate, const std::vector<Index>& next) {
   Cycles cycles;
@@ -30,4 +30,4 @@ Cycles check_cycles(const Certificate& certificate, const std::vector<Index>& ne
   return cycles;
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

@@ -7,7 +7,7 @@
 #include "refusal.hpp"
 #include "steps.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 /// The least vertex of the connected component of each vertex.
@@ -134,4 +134,4 @@ std::vector<Face> check_faces(const Certificate& certificate, const Sweep& sweep
   return std::move(nesting.faces());
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

@@ -10,7 +10,7 @@
 
 #include "refusal.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 constexpr std::size_t kMaxFields = 4;
@@ -87,4 +87,4 @@ Input read_input(std::string_view text) {
   return input;
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

@@ -7,7 +7,7 @@
 #include "line.hpp"
 #include "number.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 
 struct Segment {
   Point first, last;      ///< in the lexicographic order
@@ -25,4 +25,4 @@ struct Input {
 /// Throws: BadInput.
 Input read_input(std::string_view text);
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 double near_integer(const mpz_class& z) {
@@ -68,4 +68,4 @@ int turn(const Line& a, const Line& b) {
   return sgn(mpz_class(a.a * b.b - a.b * b.a));
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

@@ -4,7 +4,7 @@
 
 #include "number.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 
 /// A line a x + b y = c in integers, with a direction: the lexicographically ascending one. The
 /// doubles are about as large, each within 2^-52 of itself, or NaN if beyond 2^500.
@@ -23,4 +23,4 @@ int side(const Line& line, const Point& point);
 /// 1 if `b` points to the left of `a`, -1 to the right, 0 if they are parallel. **Exact**.
 int turn(const Line& a, const Line& b);
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

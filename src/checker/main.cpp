@@ -90,13 +90,13 @@ int run(const char* input_name, const char* certificate_name) {
   if (!input) return kBad;
   const std::optional<std::string> certificate = content(certificate_name);
   if (!certificate) return kBad;
-  const plumbline_verify::Verdict verdict = plumbline_verify::verify(*input, *certificate);
-  const std::string text = plumbline_verify::report(verdict);
+  const plumbline_checker::Verdict verdict = plumbline_checker::verify(*input, *certificate);
+  const std::string text = plumbline_checker::report(verdict);
   switch (verdict.outcome) {
-    case plumbline_verify::Outcome::Proved:
+    case plumbline_checker::Outcome::Proved:
       std::fputs(text.c_str(), stdout);
       return std::fflush(stdout) == 0 ? kAccepted : kBad;
-    case plumbline_verify::Outcome::Refused:
+    case plumbline_checker::Outcome::Refused:
       std::fprintf(stderr, "%s: %s", certificate_name, text.c_str());
       return kRefused;
     default:

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 constexpr long kMaxExponent = 200;          // of `near`
@@ -171,4 +171,4 @@ std::string text_of(const Point& point) {
   return "(" + shown(point.x) + ", " + shown(point.y) + ")";
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

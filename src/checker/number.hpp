@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 
 /// Longest decimal or integer of a fraction in an input, in digits, and its largest exponent.
 inline constexpr std::size_t kMaxInputDigits = 10'000;
@@ -57,4 +57,4 @@ std::string text_of(const Point& point);
 /// About z 2^-exponent with a relative error of at most 2^-52, its size being in [1/2, 1).
 double leading_part(const mpz_class& z, long& exponent);
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

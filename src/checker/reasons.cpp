@@ -7,7 +7,7 @@
 #include "refusal.hpp"
 #include "steps.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 /// What a step finds of each vertex; kNone if nothing.
@@ -109,4 +109,4 @@ void check_reasons(const Input& input, const Certificate& certificate) {
   }
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

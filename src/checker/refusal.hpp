@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 
 /// Thrown where a certificate is not right.
 struct Refusal {
@@ -18,4 +18,4 @@ struct BadInput {
   std::size_t line;  ///< of the input, from 1; 0: none
 };
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

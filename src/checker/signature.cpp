@@ -9,7 +9,7 @@
 
 #include "steps.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 class Hash {
@@ -97,4 +97,4 @@ void check_signature(const Certificate& certificate, const Lists& cycles,
   require("the signature", certificate.signature, hash.digits(), kSignatureLine);
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

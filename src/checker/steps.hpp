@@ -8,7 +8,7 @@
 #include "certificate.hpp"
 #include "input.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 
 /// Every segment is the chain of the edges that name it, and all vertices of these lie on it.
 void check_covering(const Input& input, const Certificate& certificate);
@@ -44,4 +44,4 @@ std::vector<Face> check_faces(const Certificate& certificate, const Sweep& sweep
 void check_signature(const Certificate& certificate, const Lists& cycles,
                      const std::vector<Face>& faces);
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

@@ -23,7 +23,7 @@
 
 #include "steps.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 class PlaneSweep {
@@ -205,4 +205,4 @@ Sweep check_planarity(const Input& input, const Certificate& certificate) {
   return PlaneSweep(input, certificate).run();
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

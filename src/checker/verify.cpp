@@ -8,7 +8,7 @@
 #include "refusal.hpp"
 #include "steps.hpp"
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 namespace {
 
 constexpr std::size_t kMaxBytes = 0xFFFFFFFF;
@@ -102,4 +102,4 @@ std::string report(const Verdict& verdict) {
   return text + "\n";
 }
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

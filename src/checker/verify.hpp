@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace plumbline_verify {
+namespace plumbline_checker {
 
 /// What was checked, by numbers.
 struct Counts {
@@ -40,4 +40,4 @@ Verdict verify(std::string_view input, std::string_view certificate);
 /// A verdict in plain English: what was proved, or what is wrong where. Ends in a line break.
 std::string report(const Verdict& verdict);
 
-}  // namespace plumbline_verify
+}  // namespace plumbline_checker

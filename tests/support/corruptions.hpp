@@ -37,10 +37,10 @@ inline void check(const std::vector<Corruption>& corruptions, bool sign = true) 
     INFO(corruption.name);
     const std::string text = broken(corruption);
     const auto verdict =
-        plumbline_verify::verify(hand_certificates::cases().at(corruption.of).input,
+        plumbline_checker::verify(hand_certificates::cases().at(corruption.of).input,
                                  sign ? plumbline::certificates::with_signature(text) : text);
-    CHECK(verdict.outcome == plumbline_verify::Outcome::Refused);
-    CHECK_THAT(plumbline_verify::report(verdict), Catch::Contains(corruption.refusal));
+    CHECK(verdict.outcome == plumbline_checker::Outcome::Refused);
+    CHECK_THAT(plumbline_checker::report(verdict), Catch::Contains(corruption.refusal));
   }
 }
 

@@ -15,8 +15,8 @@ std::string what_is_wrong(const SegmentSet& input, Relation relation, std::uint6
   for (const Violation& violation : validate(complex))
     return "broken invariant: " + to_text(violation.invariant);
   if (!validate_coverage(complex, input).empty()) return "the edges are not the input";
-  const auto verdict = plumbline_verify::verify(to_lines(input), certificate(complex, input));
-  if (verdict.outcome != plumbline_verify::Outcome::Proved)
+  const auto verdict = plumbline_checker::verify(to_lines(input), certificate(complex, input));
+  if (verdict.outcome != plumbline_checker::Outcome::Proved)
     return "the checker refuses: " + verdict.reason;
   if (!holds(relation, input, complex, seed)) return to_text(relation) + ": does not hold";
   return "";

@@ -26,7 +26,7 @@
 using namespace plumbline;
 using certificates::below;
 using certificates::Random;
-using plumbline_verify::Outcome;
+using plumbline_checker::Outcome;
 
 namespace {
 
@@ -142,7 +142,7 @@ class Campaign {
       const std::string& family = families[seed % families.size()];
       const Right right = right_of(inputs::of_family(family, seed));
       ++inputs_;
-      const auto verdict = plumbline_verify::verify(right.input, right.certificate);
+      const auto verdict = plumbline_checker::verify(right.input, right.certificate);
       if (verdict.outcome != Outcome::Proved) {
         show(fmt::format("{} {}: a right certificate", family, seed), report(verdict));
       }
@@ -180,7 +180,7 @@ class Campaign {
     std::string text = k < kinds.size() ? certificates::damaged(right.certificate, kinds[k], random)
                                         : of_another_input(right, random);
     if (k < kinds.size() && below(random, 2) == 0) text = certificates::with_signature(text);
-    const auto verdict = plumbline_verify::verify(right.input, text);
+    const auto verdict = plumbline_checker::verify(right.input, text);
     Tally& tally = tally_[kind];
     if (verdict.outcome == Outcome::Refused) {
       ++tally.refused;

@@ -31,8 +31,8 @@ void examine_complex(Row& row, const SegmentSet& input) {
   const bool keeps_invariants =
       validate(complex).empty() && validate_coverage(complex, input).empty();
   row.invariants_broken += keeps_invariants ? 0 : 1;
-  const auto verdict = plumbline_verify::verify(to_lines(input), certificate(complex, input));
-  row.refused += verdict.outcome == plumbline_verify::Outcome::Proved ? 0 : 1;
+  const auto verdict = plumbline_checker::verify(to_lines(input), certificate(complex, input));
+  row.refused += verdict.outcome == plumbline_checker::Outcome::Proved ? 0 : 1;
   for (const campaign::Relation relation : campaign::kRelations)
     row.relations_broken += campaign::holds(relation, input, complex, row.cases) ? 0 : 1;
 }

@@ -16,8 +16,8 @@
 #include "certificates/text.hpp"
 #include "checker/verify.hpp"
 
-using plumbline_verify::Outcome;
-using plumbline_verify::Verdict;
+using plumbline_checker::Outcome;
+using plumbline_checker::Verdict;
 
 namespace {
 
@@ -35,7 +35,7 @@ struct Graph {
 }
 
 /// Vertices and edges of a certificate that was proved.
-Graph graph_of(const std::string& text, const plumbline_verify::Counts& counts) {
+Graph graph_of(const std::string& text, const plumbline_checker::Counts& counts) {
   const std::vector<std::string> lines = plumbline::certificates::lines_of(text);
   Graph graph;
   for (std::size_t v = 0; v < counts.vertices; ++v) {
@@ -85,8 +85,8 @@ void check_planarity(const Graph& graph) {
 }
 
 void check(std::string_view input, const std::string& certificate) {
-  const Verdict verdict = plumbline_verify::verify(input, certificate);
-  if (plumbline_verify::report(verdict).empty()) fail("an empty report");
+  const Verdict verdict = plumbline_checker::verify(input, certificate);
+  if (plumbline_checker::report(verdict).empty()) fail("an empty report");
   if (verdict.outcome != Outcome::Proved) {
     if (verdict.reason.empty()) fail("a refusal without a reason");
     return;
@@ -94,7 +94,7 @@ void check(std::string_view input, const std::string& certificate) {
   constexpr std::size_t kMostEdges = 100;  // so that all pairs take no time
   if (verdict.counts.edges <= kMostEdges) check_planarity(graph_of(certificate, verdict.counts));
   const std::string spaced = std::string(input) + "\r\n \n";
-  if (plumbline_verify::verify(spaced, certificate).outcome != Outcome::Proved) {
+  if (plumbline_checker::verify(spaced, certificate).outcome != Outcome::Proved) {
     fail("blank rows make a difference");
   }
 }
