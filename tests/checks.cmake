@@ -48,6 +48,19 @@ add_test(NAME "package: an installed copy is found, linked and run"
                  -DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/consumer/run.cmake)
 
+# The checker as it builds alone. It is compiled with the rest, so that the test only runs it.
+set(checker ${PROJECT_SOURCE_DIR}/src/checker)
+set(checker_alone ${CMAKE_CURRENT_BINARY_DIR}/plumbline-verify-alone)
+file(GLOB checker_files CONFIGURE_DEPENDS ${checker}/*)
+add_custom_command(OUTPUT ${checker_alone}
+                   COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/build_checker_alone.sh ${checker} ${checker_alone}
+                           -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+                   DEPENDS ${checker_files} build_checker_alone.sh VERBATIM)
+add_custom_target(plumbline_verify_alone ALL DEPENDS ${checker_alone})
+add_test(NAME "verify: the checker built alone does the same"
+         COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/verify_cli_test.sh ${checker_alone}
+                 $<TARGET_FILE:plumbline_cli> ${PROJECT_SOURCE_DIR}/validation/fuzz/certificates)
+
 find_program(CLANG clang++)
 if(CLANG)
   add_test(NAME "determinism: another compiler's tool, unoptimised, writes the same bytes"
