@@ -7,9 +7,11 @@ set(scripts ${PROJECT_SOURCE_DIR}/scripts)
 add_test(NAME "sources: formatted" COMMAND ${scripts}/format --check)
 add_test(NAME "sources: clang-tidy finds nothing" COMMAND ${scripts}/tidy ${PROJECT_BINARY_DIR})
 add_test(NAME "scripts: shellcheck finds nothing" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/shellcheck_test.sh)
+add_test(NAME "scripts: --help helps and does nothing else"
+         COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts_help_test.sh)
 file(GLOB validation_scripts ${PROJECT_SOURCE_DIR}/validation/*/run)
-add_test(NAME "scripts: --help prints help and does nothing else"
-         COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/script_help_test.sh ${validation_scripts})
+add_test(NAME "validation: --help prints help and does nothing else"
+         COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/validation_help_test.sh ${validation_scripts})
 
 set(layering ${CMAKE_CURRENT_SOURCE_DIR}/layering.cmake)
 add_test(NAME "layers: no include goes up"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# script_help_test.sh SCRIPT...: --help prints the head of each script and does nothing else: sed is all that it needs.
+# validation_help_test.sh SCRIPT...: --help prints the head of each script and does nothing else: sed is all that it needs.
 set -euo pipefail
 only_sed=$(mktemp -d)
 trap 'rm -rf "$only_sed"' EXIT
