@@ -1,11 +1,13 @@
 #include "plumbline/check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/engines/lar.hpp"
+#include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
 #include "support/engine_checks.hpp"
 #include "support/segments.hpp"
@@ -102,6 +104,36 @@ TEST_CASE("an edge led through a vertex beside it is laid to intersecting") {
     CHECK(cause.advice == "a radius below 0.01 keeps them apart");
 }
 
+TEST_CASE("the smallest examples of the catalogue have the rules that they are for") {
+  // docs/divergences.md, the repaired pipeline, with the numbers of vertices, edges and components.
+  struct Row {
+    std::string rule, input;
+    std::array<std::size_t, 3> exact_counts, float_counts;
+  };
+  const std::vector<Row> rows{
+      {"merged-within-radius", "0 0 1 0  1.01 0 2 0", {4, 2, 2}, {3, 2, 1}},
+      {"chain-collapse", "0 0 0 9  0.09 0 1 9  0.18 0 2 9  0.27 0 3 9", {8, 4, 4}, {5, 4, 1}},
+      {"fold-over",
+       "0 0 0 9  0.09 0 1 -9  0.18 0 2 -9  0.27 0 3 -9  0.36 0 4 -9  0.45 0 5 -9  0.54 0 6 -9  "
+       "0.11 0.2 5 0.2",
+       {16, 8, 8},
+       {11, 10, 1}},
+      {"snapped-to-edge", "0 1 2 1  1 0 1 0.99", {4, 2, 2}, {4, 3, 1}},
+      {"missed-meeting", "0 0 10 0  1 0.05 9 -1", {5, 4, 1}, {4, 3, 1}},
+  };
+  const auto numbers = [](const Counts& counts) {
+    return std::array{counts.vertices, counts.edges, counts.components};
+  };
+  for (const Row& row : rows) {
+    INFO(row.rule);
+    const Check result = checked(row.input, 0.1);
+    CHECK(std::any_of(result.causes.begin(), result.causes.end(),
+                      [&](const Cause& cause) { return cause.rule == row.rule; }));
+    CHECK(numbers(result.comparison.exact_counts) == row.exact_counts);
+    CHECK(numbers(result.comparison.float_counts) == row.float_counts);
+  }
+}
+
 TEST_CASE("what follows from another finding has its cause") {
   // A quadrangle whose side of 1/100 collapses: one vertex, one edge, one face.
   const Check result = checked("0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0", 0.1);
@@ -141,6 +173,19 @@ TEST_CASE("what rounding changes after the maps only is laid to transforming") {
   const Check result = check_lar(evaluate(structure), {}, options);
   REQUIRE(result.exact_complex.vertices.size() == 4);
   CHECK(only_cause(result.conversion_causes).first == "transform");
+}
+
+TEST_CASE("what a rotation in the file changes is laid to transforming") {
+  const Structure drawing = read_svg(
+      "<svg xmlns='http://www.w3.org/2000/svg'><g transform='rotate(30)'>"
+      "<line x1='0' y1='0' x2='3' y2='0'/><line x1='1' y1='0' x2='1' y2='1'/></g></svg>",
+      "text");
+  CheckOptions options;
+  options.parsed = [&] { return evaluate(rounded(drawing)); };
+  const Check result = check_lar(evaluate(drawing), {}, options);
+  CHECK(result.conversion.exact_counts.vertices == 4);
+  CHECK(result.conversion.float_counts.vertices == 5);
+  CHECK(only_cause(result.conversion_causes) == StageAndRule("transform", "transformed-to-double"));
 }
 
 TEST_CASE("findings, causes and counts do not depend on the order or direction of the segments") {

@@ -21,6 +21,9 @@ add_test(NAME "layers: forbidden includes are found"
 set_tests_properties("layers: forbidden includes are found" PROPERTIES
                      PASS_REGULAR_EXPRESSION "18 forbidden includes")
 
+add_test(NAME "catalogue: it has the rules that a finding can have, and no other"
+         COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/catalogue.cmake)
+
 # The page of the report: where npm is, its bundle is made again; where Chromium is too, it is
 # opened. scripts/deps --browser installs all of that.
 find_program(NODE node)

@@ -1,0 +1,53 @@
+# Holds the rules that sources can give a finding against those that the catalogue, docs/divergences.md, has: neither
+# has one that the other has not.
+# Usage: cmake -DROOT=<folder that holds docs/ and src/> -P catalogue.cmake
+cmake_minimum_required(VERSION 3.25)
+
+# In the catalogue: names in `code`, in the column before which there is at most that of the ids.
+file(STRINGS ${ROOT}/docs/divergences.md rows REGEX "^\\| ([A-Z][0-9]+b? \\| )?`")
+set(described "")
+foreach(row IN LISTS rows)
+  if(row MATCHES "^\\| ([A-Z][0-9]+b? \\| )?(`[A-Za-z-]+`(, `[A-Za-z-]+`)*) \\|")
+    string(REGEX MATCHALL "[A-Za-z-]+" names "${CMAKE_MATCH_2}")
+    list(APPEND described ${names})
+  endif()
+endforeach()
+
+# In the sources: all texts of several words joined by hyphens in those that name rules, and what is clearly given as
+# a rule; of other programs' results the words for broken invariants and for what is wrong with a kind of cell.
+set(named "")
+file(GLOB_RECURSE sources ${ROOT}/src/*.cpp)
+foreach(source IN LISTS sources)
+  file(READ ${source} text)
+  string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+  if(text MATCHES "rule = ")
+    string(REGEX MATCHALL "\"[a-z]+(-[a-z]+)+\"|(rule = |cause,[ \n]*)\"[a-z-]+\"" names "${text}")
+    list(APPEND named ${names})
+  endif()
+  foreach(words Invariant Disagreement)
+    if(text MATCHES "to_text\\(${words} [a-z]+\\) {[^}]*}[^}]*}")
+      string(REGEX MATCHALL "\"[a-z ]+\"" names "${CMAKE_MATCH_0}")
+      list(REMOVE_ITEM names "\"unknown\"" "\"invalid\"")
+      if(words STREQUAL "Disagreement")
+        list(TRANSFORM names REPLACE "^\"" "\"KIND ")
+      endif()
+      list(TRANSFORM names REPLACE " " "-")
+      list(APPEND named ${names})
+    endif()
+  endforeach()
+endforeach()
+list(TRANSFORM named REPLACE ".*\"([A-Za-z-]+)\"" "\\1")
+
+foreach(list described named)
+  list(REMOVE_DUPLICATES ${list})
+  list(SORT ${list})
+endforeach()
+set(undescribed ${named})
+list(REMOVE_ITEM undescribed ${described})
+set(unnamed ${described})
+list(REMOVE_ITEM unnamed ${named})
+list(LENGTH named count)
+message("${count} rules")
+if(undescribed OR unnamed)
+  message(FATAL_ERROR "not in docs/divergences.md: ${undescribed}\nnot in src: ${unnamed}")
+endif()
