@@ -10,6 +10,7 @@
 #include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/engines/lar_stages.hpp"
+#include "plumbline/pipeline.hpp"
 #include "support/recorded.hpp"
 #include "support/segments.hpp"
 
@@ -178,7 +179,7 @@ TEST_CASE("Q3: a corner drifts off the grid by the rounded parameter and the mea
 }
 
 TEST_CASE("Q8: of 5000 random segments the face walk reports a part only") {
-  const std::vector<SegmentD> lines = inters::random_lines(5000, 0.1, 1);
+  const std::vector<SegmentD> lines = random_lines(5000, 0.1, 1);
   const inters::Trace trace = inters::run(lines);
   const auto decimal = [](double value) { return parse_decimal(kVcode.text(value)); };
   SegmentSet set;  // the decimals: their doubles miss some T junctions

@@ -10,6 +10,7 @@
 
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/engines/lar_show.hpp"
+#include "plumbline/pipeline.hpp"
 #include "plumbline/write.hpp"
 #include "support/recorded.hpp"
 
@@ -157,7 +158,7 @@ TEST_CASE("the document's facade has three cells of 40 vertices and 40 edges, as
     if (recorded_case["case"].GetString() != std::string("svg-inters-facade")) continue;
     const Trace trace = run(recorded_lines(recorded_case["lines"]));
     REQUIRE(trace.two_complex);
-    const Model& model = *trace.two_complex;
+    const inters::Model& model = *trace.two_complex;
     CHECK(model.vertices.size() == 40);
     CHECK(model.vertices[0] == PointD{0.7808, 0.6751});
     CHECK(model.vertices[39] == PointD{0.3789, 0.7059});
@@ -190,7 +191,7 @@ TEST_CASE("edges follow each other around vertices as the document prints") {
   std::vector<SegmentD> lines{{{0, 0}, {6, 0}},   {{0, 4}, {10, 4}}, {{0, 0}, {0, 4}},
                               {{3, 0}, {3, 4}},   {{6, 0}, {6, 8}},  {{3, 2}, {6, 2}},
                               {{10, 0}, {10, 8}}, {{0, 8}, {10, 8}}};
-  const Model lar = run(lines).lar;
+  const inters::Model lar = run(lines).lar;
   const auto far_end = [&](EdgeId e, VertexId v) {
     return std::size_t(lar.edges[e][0] == v ? lar.edges[e][1] : lar.edges[e][0]);
   };

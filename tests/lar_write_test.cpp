@@ -6,6 +6,7 @@
 
 #include "engines/lar/show/solid.hpp"
 #include "plumbline/engines/lar_show.hpp"
+#include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
 #include "plumbline/write.hpp"
@@ -206,7 +207,7 @@ TEST_CASE("the boundary of chosen faces is drawn, common edges are not in it") {
 }
 
 TEST_CASE("random segments as rows are read back as the same doubles") {
-  const std::vector<SegmentD> lines = inters::random_lines(100, 0.1, 3);
+  const std::vector<SegmentD> lines = random_lines(100, 0.1, 3);
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / "plumbline_lar_write_test.lines";
   write_file(file, to_lines(lines));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -79,5 +80,11 @@ LarModel boundary_of_all(const LarModel& model);
 Structure structure_of(LarModel model, bool y_up);
 /// The structure as lines of the plane; one of space in an oblique view, (x + y/2, z + y/4).
 SegmentSet drawn(const Structure& structure);
+
+/// n random segments (LAR's `randomLines`, appendix of Paoluzzi, "Accelerated
+/// intersection of geometric objects", November 2015): the differences of random points of the unit
+/// square, scaled, about random points; moved to where the least coordinates are 0. A seed
+/// determines them, on every machine. Throws: Error BadInput for a scaling that is not finite.
+std::vector<SegmentD> random_lines(std::size_t n, double scaling, std::uint64_t seed);
 
 }  // namespace plumbline

@@ -2,7 +2,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
-#include "plumbline/engines/inters.hpp"
+#include "plumbline/pipeline.hpp"
 #include "plumbline/write.hpp"
 
 namespace plumbline::cli {
@@ -10,7 +10,7 @@ namespace plumbline::cli {
 ExitCode run(const RandomArguments& arguments) {
   check_outputs({}, {{arguments.output, {".lines"}}});
   const std::string rows =
-      to_lines(inters::random_lines(arguments.count, arguments.scaling, arguments.seed));
+      to_lines(random_lines(arguments.count, arguments.scaling, arguments.seed));
   if (!arguments.output) {
     fmt::print("{}", rows);
     return kAgree;

@@ -105,8 +105,8 @@ FloatComplex lines_alone(std::span<const SegmentD> lines, const Lists<SegmentId>
     return VertexId(static_cast<std::size_t>(at - complex.vertices.begin()));
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto [tail, head] = std::minmax(vertex(lines[i].a), vertex(lines[i].b));
-    complex.edges.push_back({tail, head});
+    const VertexId a = vertex(lines[i].a), b = vertex(lines[i].b);
+    complex.edges.push_back({std::min(a, b), std::max(a, b)});
     complex.edge_sources.push_back(i < sources.size() ? sources[i] : std::span<const SegmentId>());
   }
   complex.face_outer.emplace_back();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "campaign/relations.hpp"
+#include "checker/verify.hpp"
 #include "foreign/claims.hpp"
 #include "foreign/table.hpp"
 #include "plumbline/arrange.hpp"

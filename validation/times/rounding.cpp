@@ -28,7 +28,7 @@ void print_row(const std::string& name) {
   ExactComplex complex;
   bool is_valid = false;
   const double arranging = times::seconds([&] {
-    complex = arrange(input, Engine::Bucket, {1, {}});
+    complex = arrange(input, ExactEngine::Bucket, {1, {}});
   });
   const double validating = times::seconds([&] { is_valid = validate(complex).empty(); });
   fmt::print("| {} | {} | {} | {:.2f} | {:.2f} |", name, complex.vertices.size(),

@@ -146,11 +146,6 @@ struct Trace {
 /// The segments in doubles, in their order, neither made unique nor turned.
 std::vector<SegmentD> lines(const SegmentSet& input);
 
-/// n random segments (appendix, `randomLines`): the differences of random points of the unit
-/// square, scaled, about random points; moved to where the least coordinates are 0. A seed
-/// determines them, on every machine. Throws: Error BadInput for a scaling that is not finite.
-std::vector<SegmentD> random_lines(std::size_t n, double scaling, std::uint64_t seed);
-
 /// The segments mapped to the unit square and quantised as the original's SVG input: the longer
 /// side becomes 1, the shorter one starts at 0, the top is 1, y is turned upwards. Throws: Error
 /// BadInput for a drawing without width or height, by which the original divides.

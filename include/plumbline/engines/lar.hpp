@@ -128,29 +128,8 @@ Engine engine();
 /// that is negative or not finite, or a cell with a vertex that the model has not.
 Model simplify(const Model& model, double radius);
 
-/// The boundary of a chain of faces: the halfedges with a face of the chain on their left and none
-/// on their right. Ascending. Section 2.11 (chain2BoundaryChain). Throws here and below: Error
-/// BadInput for a face that the complex has not.
-std::vector<HalfedgeId> boundary_chain(const Incidences& complex, std::span<const FaceId> chain);
-
-/// The same as closed walks, counter-clockwise around the chain, clockwise around its holes; those
-/// that touch in a vertex stay apart. By least halfedge, which each starts with. Section 2.12
-/// (boundaryCycles).
-Lists<HalfedgeId> boundary_cycles(const Incidences& complex, std::span<const FaceId> chain);
-
-/// The same as closed polylines, the first point repeated. Section 2.12 (boundaryPolylines).
-std::vector<std::vector<PointD>> boundary_polylines(const FloatComplex& complex,
-                                                    std::span<const FaceId> chain);
-
-/// Bridge edges that join the holes of a bounded face to its outer boundary: one per hole, from its
-/// least vertex to the nearest lesser one that it sees, so that no bridge crosses an edge or
-/// another bridge. **Rounded** predicates. Cost: O(holes x vertices x edges of the face) at worst.
-/// Section 2.7 (scan). Throws here and below: Error BadInput for another face, or for a complex so
-/// invalid that a hole sees no lesser vertex.
-std::vector<std::array<VertexId, 2>> bridge_edges(const FloatComplex& complex, FaceId face);
-
-/// The boundary of a bounded face as one closed polyline, every bridge walked twice; the face on
-/// its left. Section 2.7.
+/// The boundary of a bounded face as one closed polyline, its cycles joined by `bridge_edges`,
+/// every bridge walked twice; the face on its left. Section 2.7. Throws: as `bridge_edges`.
 std::vector<PointD> single_polyline(const FloatComplex& complex, FaceId face);
 
 /// The drawing mapped onto the unit square: the longer side of its box becomes 1, the left edge 0,

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "plumbline/chains.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/triangulate.hpp"
 
@@ -135,7 +136,7 @@ std::vector<Bridged> bridged(const lar::Result& result) {
   std::vector<Bridged> faces;
   for (std::size_t f = 1; f < complex.face_count(); ++f) {
     faces.push_back({{lar::single_polyline(complex, FaceId(f))}, {}});
-    for (const auto& [v, w] : lar::bridge_edges(complex, FaceId(f))) {
+    for (const auto& [v, w] : bridge_edges(complex, FaceId(f))) {
       faces.back().bridges.push_back({complex.vertices[v], complex.vertices[w]});
     }
   }
@@ -160,7 +161,7 @@ std::vector<PointPair> boundary(const lar::Result& result, std::span<const std::
   std::vector<FaceId> chain;
   for (const std::size_t f : faces) chain.emplace_back(f + 1);
   std::vector<PointPair> edges;
-  for (const HalfedgeId h : lar::boundary_chain(complex, chain)) {
+  for (const HalfedgeId h : boundary_chain(complex, chain)) {
     edges.push_back({complex.vertices[complex.origin(h)], complex.vertices[complex.target(h)]});
   }
   return edges;

@@ -1,9 +1,10 @@
 // Boundaries of chains of faces. The walk along a boundary turns, at a vertex, through the chain's
 // own faces, so that cycles that touch in a vertex stay apart.
 
-#include "plumbline/engines/lar.hpp"
+#include "plumbline/chains.hpp"
+#include "plumbline/error.hpp"
 
-namespace plumbline::lar {
+namespace plumbline {
 namespace {
 
 std::vector<bool> members(const Incidences& complex, std::span<const FaceId> chain) {
@@ -77,4 +78,4 @@ std::vector<std::vector<PointD>> boundary_polylines(const FloatComplex& complex,
   return polylines;
 }
 
-}  // namespace plumbline::lar
+}  // namespace plumbline

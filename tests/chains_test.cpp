@@ -5,6 +5,7 @@
 #include <set>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/chains.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/engines/lar.hpp"
 #include "support/segments.hpp"
@@ -53,7 +54,7 @@ TEST_CASE("the boundary of a chain of faces is its closed walks, faces in common
   const FaceId left = face_at(3, 3), right = face_at(6, 2), hole = face_at(1.5, 1.5);
   const auto cycles = [&](std::vector<FaceId> chain) {
     std::multiset<std::size_t> sizes;
-    const Lists<HalfedgeId> found = lar::boundary_cycles(c, chain);
+    const Lists<HalfedgeId> found = boundary_cycles(c, chain);
     for (std::size_t i = 0; i < found.size(); ++i) sizes.insert(found[i].size());
     return sizes;
   };
@@ -62,9 +63,9 @@ TEST_CASE("the boundary of a chain of faces is its closed walks, faces in common
   CHECK(cycles({left, right}) == std::multiset<std::size_t>{4, 6});
   CHECK(cycles({left, right, hole}) == std::multiset<std::size_t>{6});
   CHECK(cycles({}).empty());
-  CHECK(lar::boundary_chain(c, std::vector{left, hole}).size() == 4);
+  CHECK(boundary_chain(c, std::vector{left, hole}).size() == 4);
   CHECK_THROWS_AS(cycles({FaceId(4)}), Error);
-  const auto polylines = lar::boundary_polylines(c, std::vector{hole});
+  const auto polylines = boundary_polylines(c, std::vector{hole});
   REQUIRE(polylines.size() == 1);
   CHECK(polylines[0] == std::vector<PointD>{{1, 2}, {1, 1}, {2, 1}, {2, 2}, {1, 2}});
 }
@@ -72,7 +73,7 @@ TEST_CASE("the boundary of a chain of faces is its closed walks, faces in common
 TEST_CASE("boundary cycles that touch in a vertex stay apart, antennas bound nothing") {
   const FloatComplex c = complex_of(rectangle(0, 0, 1, 1) + rectangle(1, 1, 2, 2) + "0 0 0.5 0.5");
   REQUIRE(c.face_count() == 3);
-  const Lists<HalfedgeId> both = lar::boundary_cycles(c, std::vector{FaceId(1), FaceId(2)});
+  const Lists<HalfedgeId> both = boundary_cycles(c, std::vector{FaceId(1), FaceId(2)});
   REQUIRE(both.size() == 2);
   CHECK(both[0].size() == 4);
   CHECK(both[1].size() == 4);
@@ -99,7 +100,7 @@ TEST_CASE(
     std::size_t bridges = 0;
     for (std::size_t f = 1; f < c.face_count(); ++f) {
       const FaceId face(f);
-      const auto found = lar::bridge_edges(c, face);
+      const auto found = bridge_edges(c, face);
       CHECK(found.size() == c.face_holes[face].size());
       bridges += found.size();
       for (const auto& [v, w] : found) with_bridges.add(c.vertices[v], c.vertices[w], source);
@@ -126,7 +127,7 @@ TEST_CASE("faces with antennas and cut vertices have one polyline too") {
   for (std::size_t f = 1; f < 4; ++f) {
     CHECK(area(lar::single_polyline(c, FaceId(f))) == nearest_double(areas[f]));
   }
-  CHECK_THROWS_AS(lar::bridge_edges(c, kUnbounded), Error);
+  CHECK_THROWS_AS(bridge_edges(c, kUnbounded), Error);
   CHECK_THROWS_AS(lar::single_polyline(c, FaceId(4)), Error);
 }
 

@@ -4,27 +4,28 @@
 #include <cmath>
 #include <random>
 
-#include "plumbline/engines/inters_stages.hpp"
+#include "plumbline/engines/inters_vcode.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/pipeline.hpp"
 
-namespace plumbline::inters {
+namespace plumbline {
 namespace {
 
 /// Random points of the unit square with the default number of decimals; the same on every machine,
 /// unlike the standard library's distributions.
 class RandomPoints {
  public:
-  explicit RandomPoints(std::uint64_t seed) : random_(seed), vcode_(kDecimals) {}
+  explicit RandomPoints(std::uint64_t seed) : random_(seed), vcode_(inters::kDecimals) {}
   PointD operator()() {
     const double x = uniform();
     return vcode_.quantised(PointD{x, uniform()});
   }
-  const Vcode& vcode() const { return vcode_; }
+  const inters::Vcode& vcode() const { return vcode_; }
 
  private:
   double uniform() { return std::ldexp(static_cast<double>(random_() >> 11U), -53); }
   std::mt19937_64 random_;
-  Vcode vcode_;
+  inters::Vcode vcode_;
 };
 
 SegmentD random_line(RandomPoints& points, double scaling) {
@@ -59,4 +60,4 @@ std::vector<SegmentD> random_lines(std::size_t n, double scaling, std::uint64_t 
   return lines;
 }
 
-}  // namespace plumbline::inters
+}  // namespace plumbline

@@ -3,19 +3,22 @@
 // other cycles, so the bridges make a tree with the outer boundary as its root.
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
+#include <string>
 
-#include "engines/lar/stages/points.hpp"
-#include "plumbline/engines/lar_stages.hpp"
+#include "plumbline/chains.hpp"
+#include "plumbline/error.hpp"
 
-namespace plumbline::lar {
+namespace plumbline {
 namespace {
 
 using Pair = std::array<VertexId, 2>;
 
 double turn(const PointD& p, const PointD& q, const PointD& r) {
   return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
+
+double squared_distance(const PointD& p, const PointD& q) {
+  return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
 }
 
 bool is_between(const PointD& p, const PointD& a, const PointD& b) {
@@ -116,34 +119,4 @@ std::vector<std::array<VertexId, 2>> bridge_edges(const FloatComplex& complex, F
   return bridging.take();
 }
 
-std::vector<PointD> single_polyline(const FloatComplex& complex, FaceId face) {
-  check(complex, face);
-  // The face's edges and bridges as a graph: its walk from the outer boundary passes all of them.
-  Graph graph;
-  graph.vertices = complex.vertices;
-  std::vector<EdgeId> edges;
-  for (const CycleId c : cycles_of(complex, face))
-    for (const HalfedgeId h : complex.cycles[c]) edges.push_back(edge_of(h));
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  for (const EdgeId e : edges) graph.edges.push_back(complex.edges[e]);
-  for (const auto& [v, w] : bridge_edges(complex, face)) graph.edges.push_back({v, w});
-  const HalfedgeId first = complex.cycles[complex.face_outer[face]].front();
-  const auto position = std::lower_bound(edges.begin(), edges.end(), edge_of(first));
-  const EdgeId first_edge(static_cast<std::size_t>(position - edges.begin()));
-  const HalfedgeId start = halfedge(first_edge, is_reversed(first));
-
-  const Lists<HalfedgeId> cycles = face_cycles(graph, edge_slope_ordering(graph));
-  std::vector<PointD> polyline;
-  for (std::size_t c = 0; c < cycles.size(); ++c) {
-    if (std::find(cycles[c].begin(), cycles[c].end(), start) == cycles[c].end()) continue;
-    for (const HalfedgeId h : cycles[c]) {
-      const Edge& edge = graph.edges[edge_of(h)];
-      polyline.push_back(graph.vertices[is_reversed(h) ? edge.head : edge.tail]);
-    }
-  }
-  polyline.push_back(polyline.front());
-  return polyline;
-}
-
-}  // namespace plumbline::lar
+}  // namespace plumbline
