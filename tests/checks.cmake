@@ -62,7 +62,7 @@ add_custom_command(OUTPUT ${checker_alone}
 add_custom_target(plumbline_verify_alone ALL DEPENDS ${checker_alone})
 add_test(NAME "verify: the checker built alone does the same"
          COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/verify_cli_test.sh ${checker_alone}
-                 $<TARGET_FILE:plumbline_cli> ${PROJECT_SOURCE_DIR}/validation/fuzz/certificates)
+                 $<TARGET_FILE:plumbline_cli> ${PROJECT_SOURCE_DIR}/validation/cases/certificates)
 
 find_program(CLANG clang++)
 if(CLANG)

@@ -54,9 +54,9 @@ for ending in svg svgz dxf lines json geojson wkt wkb csv; do
   expect "a directory as .$ending is refused" 2 'is a directory' "$plumbline" info "dir.$ending"
   expect "a missing .$ending is told by its name" 2 "none\\.$ending: no such file" "$plumbline" info none.$ending
   mkfifo pipe.$ending
-  expect "a pipe as .$ending is refused, not waited for" 2 'not a regular file' timeout 10 "$plumbline" info pipe.$ending
+  expect "a pipe as .$ending is refused, not waited for" 2 'not a regular file' timeout 120 "$plumbline" info pipe.$ending
   truncate -s 10G sparse.$ending
-  expect "10 GB of nothing as .$ending are refused in 500 MB" 2 '^plumbline: (sparse|out of memory)' timeout 60 "$plumbline" info sparse.$ending "${memory[@]}"
+  expect "10 GB of nothing as .$ending are refused in 500 MB" 2 '^plumbline: (sparse|out of memory)' timeout 600 "$plumbline" info sparse.$ending "${memory[@]}"
   rm -rf ./*."$ending" codes
 done
 triangle >a.lines
@@ -64,10 +64,10 @@ for ending in json geojson wkt wkb csv; do
   : >empty.$ending
   expect "an empty .$ending as a result is refused or differs" "$([[ $ending =~ ^(wkt|wkb|csv)$ ]] && echo 1 || echo 2)" '(plumbline: empty|disagree)' "$plumbline" check a.lines --against empty.$ending
   truncate -s 10G sparse.$ending
-  expect "10 GB of nothing as a result in .$ending" 2 '^plumbline: (sparse|out of memory)' timeout 60 "$plumbline" check a.lines --against sparse.$ending "${memory[@]}"
+  expect "10 GB of nothing as a result in .$ending" 2 '^plumbline: (sparse|out of memory)' timeout 600 "$plumbline" check a.lines --against sparse.$ending "${memory[@]}"
   rm -f ./*."$ending"
 done
-expect "a device is no drawing" 2 'not a regular file' timeout 10 "$plumbline" info /dev/zero
+expect "a device is no drawing" 2 'not a regular file' timeout 120 "$plumbline" info /dev/zero
 ln -s loop.lines loop.lines
 expect "a link to itself is no drawing" 2 'loop\.lines' "$plumbline" info loop.lines
 expect "nor an output" 2 'loop\.json' bash -c 'ln -s loop.json loop.json; "$@"' - "$plumbline" arrange a.lines -o loop.json
@@ -117,8 +117,8 @@ expect "nor cells: eval" 2 'more than 4999 segments or cells' "$plumbline" eval 
   printf '}}'
 } >bomb.json
 for command in info arrange check lar eval; do
-  expect "2^60 segments of a small file are refused at once: $command" 2 'more than 1000000 segments' timeout 60 "$plumbline" $command bomb.json --max-segments 1000000 "${memory[@]}"
-  expect "and in time without a limit of theirs: $command" 2 'timeout|too large|out of memory' timeout 60 "$plumbline" $command bomb.json --timeout 0.5 "${memory[@]}"
+  expect "2^60 segments of a small file are refused at once: $command" 2 'more than 1000000 segments' timeout 600 "$plumbline" $command bomb.json --max-segments 1000000 "${memory[@]}"
+  expect "and in time without a limit of theirs: $command" 2 'timeout|too large|out of memory' timeout 600 "$plumbline" $command bomb.json --timeout 0.5 "${memory[@]}"
 done
 rm many.lines bomb.json
 
@@ -182,7 +182,7 @@ expect "stays a link, to the new file, which has the permissions of the old one"
 expect "a link to nothing" 0 'wrote' bash -c 'umask 027; "$@"' - "$plumbline" arrange a.lines -o dangling.json
 expect "makes what it names, as the umask says" 0 '^640$' stat -c %a new.json
 mkfifo out.svg
-expect "a pipe as output is written to" 0 '</svg>' bash -c '"$1" arrange a.lines -o out.svg >/dev/null & timeout 10 cat out.svg; wait $!' - "$plumbline"
+expect "a pipe as output is written to" 0 '</svg>' bash -c '"$1" arrange a.lines -o out.svg >/dev/null & timeout 120 cat out.svg; wait $!' - "$plumbline"
 "$plumbline" arrange a.lines -o was.json >/dev/null
 expect "two at a time do not meet" 0 '^$' bash -c 'for i in {1..6}; do "$1" arrange a.lines -o was.json >/dev/null & done; wait; cmp was.json old.json' - "$plumbline"
 leaves "nothing else is there" a.lines alias.lines d.json dangling.json link.json new.json old.json out.svg was.json
@@ -229,14 +229,14 @@ for option in "info a.svg --flatten" "info a.svg --angle" "info a.lines --thread
   for value in '' nan -nan NaN inf -inf Infinity abc 1e999999999 -1e999999999  1,5 '1 2' 1x $'\xff' 0x1p9999 --; do
     status=0
     # shellcheck disable=SC2086
-    output=$(timeout 60 "$plumbline" $option "$value" 2>&1) || status=$?
+    output=$(timeout 600 "$plumbline" $option "$value" 2>&1) || status=$?
     [[ $status == 2 && -n $output && $output != *internal* ]] || failed "$option '$value': exit $status: $output"
   done
   # Numbers that some do: nothing but an answer or an error.
   for value in 0 -0 -1 1 1e-300 1e300 1e9999 99999999999999999999999999999999 -99999999999999999999999999999999 18446744073709551615 18446744073709551616 2147483648 0x10 1/3 1/0 007 +1; do
     status=0
     # shellcheck disable=SC2086
-    output=$(timeout 60 "$plumbline" $option "$value" "${memory[@]}" 2>&1 | tail -c 2000; exit "${PIPESTATUS[0]}") || status=$?
+    output=$(timeout 600 "$plumbline" $option "$value" "${memory[@]}" 2>&1 | tail -c 2000; exit "${PIPESTATUS[0]}") || status=$?
     [[ $status -le 2 && $output != *internal* ]] || failed "$option '$value': exit $status: $output"
   done
   # shellcheck disable=SC2086

@@ -105,7 +105,7 @@ TEST_CASE("JSON holds every finding with places, cells, distance and sources") {
   rapidjson::Document json;
   json.Parse(to_json(Example().checked()).c_str());
   REQUIRE(!json.HasParseError());
-  CHECK(std::string(json["format"].GetString()) == "plumbline check 1");
+  CHECK(std::string(json["format"].GetString()) == "plumbline check 2");
   CHECK(std::string(json["verdict"].GetString()) == "disagree");
   CHECK(json["float_valid"].GetBool());
   CHECK(json["exact"].GetBool());

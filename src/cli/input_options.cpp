@@ -112,7 +112,9 @@ void add_threads(CLI::App& command, std::size_t& threads) {
 }
 
 ExactEngine exact_engine(const std::string& name) {
-  return name == "cgal" ? ExactEngine::Cgal : ExactEngine::Bucket;
+  if (name == "bucket") return ExactEngine::Bucket;
+  if (name == "cgal") return ExactEngine::Cgal;
+  throw Error(ErrorCode::BadInput, "unknown exact engine; there are bucket and cgal", {}, name);
 }
 
 void add_exact_engine(CLI::App& command, DrawingArguments& arguments) {
@@ -121,7 +123,6 @@ void add_exact_engine(CLI::App& command, DrawingArguments& arguments) {
           "--exact-engine",
           [&](const std::string& name) { arguments.exact_engine = exact_engine(name); },
           "Arrange with bucket (the default) or cgal (the reference, slower)")
-      ->check(CLI::IsMember({"cgal", "bucket"}))
       ->type_name("NAME");
   command.add_flag("--both-engines", arguments.both_engines, "Arrange with both and compare");
   command
@@ -151,7 +152,6 @@ void add_old_engine(CLI::App& command, DrawingArguments& arguments) {
             arguments.notes.push_back("--engine is --exact-engine now");
           },
           "")
-      ->check(CLI::IsMember({"cgal", "bucket"}))
       ->group("");
 }
 

@@ -38,7 +38,7 @@ inline void check(const std::vector<Corruption>& corruptions, bool sign = true) 
     const std::string text = broken(corruption);
     const auto verdict =
         plumbline_checker::verify(hand_certificates::cases().at(corruption.of).input,
-                                 sign ? plumbline::certificates::with_signature(text) : text);
+                                  sign ? plumbline::certificates::with_signature(text) : text);
     CHECK(verdict.outcome == plumbline_checker::Outcome::Refused);
     CHECK_THAT(plumbline_checker::report(verdict), Catch::Contains(corruption.refusal));
   }

@@ -16,12 +16,12 @@
 
 #include "certificates/damage.hpp"
 #include "certificates/text.hpp"
+#include "checker/verify.hpp"
 #include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
 #include "plumbline/write.hpp"
-#include "checker/verify.hpp"
 
 using namespace plumbline;
 using certificates::below;

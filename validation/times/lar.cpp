@@ -50,12 +50,13 @@ void print_row(const std::string& name) {
   const SegmentSet input = inputs::workload(name);
   const std::size_t n = input.segments.size();
   const ArrangeOptions one_thread{1, {}};
-  fmt::print(
-      "| {} | {} | {} | {} | {} | {} |\n", name, n, timed([&] { return published_cells(input); }),
-      timed([&] { return cells(lar::arrange(input, {0.0}).complex); }),
-      timed([&] { return cells(arrange(input, ExactEngine::Bucket, one_thread)); }),
-      takes_cgal_minutes(name, n) ? ""
-                                  : timed([&] { return cells(arrange(input, ExactEngine::Cgal)); }));
+  fmt::print("| {} | {} | {} | {} | {} | {} |\n", name, n,
+             timed([&] { return published_cells(input); }),
+             timed([&] { return cells(lar::arrange(input, {0.0}).complex); }),
+             timed([&] { return cells(arrange(input, ExactEngine::Bucket, one_thread)); }),
+             takes_cgal_minutes(name, n) ? "" : timed([&] {
+               return cells(arrange(input, ExactEngine::Cgal));
+             }));
 }
 
 }  // namespace
