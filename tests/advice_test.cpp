@@ -4,8 +4,8 @@
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/read.hpp"
-#include "plumbline/report.hpp"
 #include "support/engine_checks.hpp"
 #include "support/segments.hpp"
 

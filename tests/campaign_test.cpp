@@ -10,7 +10,7 @@
 #include "campaign/relations.hpp"
 #include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
-#include "plumbline/write.hpp"
+#include "plumbline/output.hpp"
 
 using namespace plumbline;
 using namespace plumbline::campaign;

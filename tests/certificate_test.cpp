@@ -1,4 +1,4 @@
-#include "plumbline/certificate.hpp"
+#include "plumbline/output.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -6,7 +6,6 @@
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
-#include "plumbline/write.hpp"
 
 using namespace plumbline;
 

@@ -67,7 +67,7 @@ expect "check advises radii" 1 'float LAR is right with every radius tried from 
 expect "unless told not to" 1 'more .see -o report.json.$' "$plumbline" check "$examples/office-plan.svg" --no-advice
 rm -f l.svg
 expect "both engines agree on a drawing" 0 '370 vertices' "$plumbline" arrange "$examples/office-plan.svg" --exact-engine cgal --both-engines
-expect "their old names still work, and say so" 0 'engine is --exact-engine now.*verify is --both-engines now' "$plumbline" arrange "$examples/office-plan.svg" --engine cgal --verify
+expect "their old names still work, and say so" 0 'verify is --both-engines now.*engine is --exact-engine now' "$plumbline" arrange "$examples/office-plan.svg" --engine cgal --verify
 expect "an unknown exact engine names the known ones" 2 'bucket and cgal: "fast"' "$plumbline" info "$examples/dwelling.svg" --exact-engine fast
 expect "by its old name, too" 2 'bucket and cgal: "fast"' "$plumbline" info "$examples/dwelling.svg" --engine fast
 expect "an unknown engine names the known ones" 2 'lar, inters, files: "fast"' "$plumbline" check "$examples/dwelling.svg" --engine fast
@@ -75,7 +75,7 @@ expect "any engine can be checked, with its parameters" 1 'LAR inters.*radius 0.
 expect "the short forms mean the same" 1 'LAR inters.*radius 0.01,' "$plumbline" check "$examples/dwelling.svg" --variant published --radius 0.01 --decimals 3
 expect "a parameter that an engine has not is refused, with those that it has" 2 'lar has no such parameter; it has radius: "decimals"' "$plumbline" check "$examples/dwelling.svg" --decimals 3
 expect "so is a value that it cannot have" 2 'larFromLines or allComponents or cells: "all"' "$plumbline" check "$examples/dwelling.svg" --engine inters --set result=all
-expect "a result in a file is an engine, too" 1 'the result' "$plumbline" check "$examples/dwelling.svg" --engine files --set file=a.json
+expect "a result in a file is an engine, too" 1 'the result' "$plumbline" check "$examples/dwelling.svg" --engine files --set file=c.wkt
 printf '0,0,4,0\n4,0,4,4\n4,4,0,0\n' >c.lines
 : >empty.lines
 echo '1,1,5,1' >flat.lines

@@ -9,7 +9,7 @@
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
 #include "plumbline/error.hpp"
-#include "plumbline/write.hpp"
+#include "plumbline/output.hpp"
 
 using namespace plumbline;
 

@@ -2,7 +2,7 @@
 
 #include "cases/foreign/foreign.hpp"
 #include "foreign/claims.hpp"
-#include "plumbline/write.hpp"
+#include "plumbline/output.hpp"
 
 using namespace plumbline::foreign;
 using plumbline::Error;

@@ -10,8 +10,8 @@
 
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/engines/lar_show.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
-#include "plumbline/write.hpp"
 #include "support/recorded.hpp"
 
 using namespace plumbline;

@@ -7,7 +7,7 @@
 #include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/engines/lar_show.hpp"
-#include "plumbline/write.hpp"
+#include "plumbline/output.hpp"
 
 using namespace plumbline;
 

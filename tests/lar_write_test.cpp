@@ -6,10 +6,10 @@
 
 #include "engines/lar/show/solid.hpp"
 #include "plumbline/engines/lar_show.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
-#include "plumbline/write.hpp"
 #include "support/recorded.hpp"
 #include "support/segments.hpp"
 

@@ -27,7 +27,6 @@ room(chains error structure complex)
 room(triangulate cgal error complex)
 room(arrange cgal error geometry complex)
 room(round error geometry complex arrange)
-room(certificate complex)
 room(compare error geometry complex arrange)
 room(ladder error complex)
 room(diagnose error number complex)
@@ -39,19 +38,17 @@ room(engines/inters/stages error number engines/lar/stages)
 room(engines/files error number read engine)
 room(engines/lar/explain error arrange engine engines/lar/stages)
 room(engines/inters/explain error engine engines/lar/stages engines/inters/stages engines/lar/explain)
-room(output error detail geometry structure complex round diagnose check)
+room(output error geometry structure complex round diagnose check)
 room(engines/lar/show error chains triangulate engines/lar/stages engines/inters/stages output)
 room(pipeline error read chains arrange round check engines/lar/stages engines/inters/stages engines/files)
-room(plumbline error number geometry structure read complex triangulate arrange round certificate compare ladder
+room(plumbline error number geometry structure read complex triangulate arrange round compare ladder
      diagnose engine check engines/lar/stages engines/inters/stages engines/files output engines/lar/show
      pipeline)
-room(cli error detail read arrange round certificate engines/files output engines/lar/show pipeline plumbline)
+room(cli error detail read arrange round engines/files output engines/lar/show pipeline plumbline)
 room(checker)
 
 # The room of a header in include/plumbline/, if it is not that of its name.
 set(room_of_cgal arrange)
-set(room_of_write output)
-set(room_of_report output)
 
 # The room of a file in include/plumbline/ or src/, or what an include line names there.
 function(find_room path result)

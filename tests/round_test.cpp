@@ -8,8 +8,8 @@
 #include <set>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/round.hpp"
-#include "plumbline/write.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;

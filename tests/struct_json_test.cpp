@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "plumbline/error.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/read.hpp"
-#include "plumbline/write.hpp"
 #include "support/listing.hpp"
 
 using namespace plumbline;

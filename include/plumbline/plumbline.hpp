@@ -4,7 +4,6 @@
 // float engines (engines/*_stages.hpp) are apart.
 
 #include "plumbline/arrange.hpp"
-#include "plumbline/certificate.hpp"
 #include "plumbline/check.hpp"
 #include "plumbline/compare.hpp"
 #include "plumbline/complex.hpp"
@@ -18,10 +17,9 @@
 #include "plumbline/geometry.hpp"
 #include "plumbline/ladder.hpp"
 #include "plumbline/number.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
-#include "plumbline/report.hpp"
 #include "plumbline/round.hpp"
 #include "plumbline/structure.hpp"
 #include "plumbline/triangulate.hpp"
-#include "plumbline/write.hpp"

@@ -5,8 +5,8 @@
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/safe_output.hpp"
-#include "plumbline/certificate.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/output.hpp"
 
 namespace plumbline::cli {
 namespace {

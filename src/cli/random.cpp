@@ -2,8 +2,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
-#include "plumbline/write.hpp"
 
 namespace plumbline::cli {
 

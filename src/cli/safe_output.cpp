@@ -6,7 +6,7 @@
 
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
-#include "plumbline/write.hpp"
+#include "plumbline/output.hpp"
 
 namespace plumbline::cli {
 namespace {

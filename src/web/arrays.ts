@@ -1,4 +1,4 @@
-// Reads back what src/report/page_arrays.cpp packed.
+// Reads back what src/output/page/arrays.cpp packed.
 
 import type { ArrayEntry } from "./report";
 
@@ -11,7 +11,7 @@ function bytesOfBase64(text: string): Uint8Array {
   return bytes;
 }
 
-/// The bytes that `packed` of page_arrays.cpp compressed.
+/// The bytes that `packed` of src/output/page/arrays.cpp compressed.
 export async function unpacked(text: string): Promise<Response> {
   const stream = new Blob([bytesOfBase64(text) as BlobPart])
     .stream()

@@ -1,5 +1,5 @@
 // What is in the page's JSON: the report as docs/json.md describes it, and `page`, which
-// src/report/page_data.hpp describes.
+// src/output/page/data.hpp describes.
 
 export interface Exact {
   exact: string;

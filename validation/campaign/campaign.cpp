@@ -15,7 +15,7 @@
 #include "campaign/child.hpp"
 #include "campaign/judge.hpp"
 #include "campaign/minimise.hpp"
-#include "plumbline/write.hpp"
+#include "plumbline/output.hpp"
 
 namespace plumbline::campaign {
 

@@ -4,8 +4,7 @@
 
 #include "checker/verify.hpp"
 #include "plumbline/arrange.hpp"
-#include "plumbline/certificate.hpp"
-#include "plumbline/write.hpp"
+#include "plumbline/output.hpp"
 
 namespace plumbline::campaign {
 

@@ -3,7 +3,7 @@
 // well. Prints a Markdown table. Exit code 1 if one is accepted, or a right one refused. Usage:
 // plumbline_certificates COUNT [FIRST-SEED]
 
-#include "plumbline/certificate.hpp"
+#include "plumbline/output.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,6 @@
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
-#include "plumbline/write.hpp"
 
 using namespace plumbline;
 using certificates::below;

@@ -8,8 +8,7 @@
 #include "foreign/claims.hpp"
 #include "foreign/table.hpp"
 #include "plumbline/arrange.hpp"
-#include "plumbline/certificate.hpp"
-#include "plumbline/write.hpp"
+#include "plumbline/output.hpp"
 
 namespace plumbline::foreign {
 

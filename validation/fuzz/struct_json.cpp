@@ -3,8 +3,8 @@
 
 #include "check_reader.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/structure.hpp"
-#include "plumbline/write.hpp"
 
 namespace plumbline {
 namespace {

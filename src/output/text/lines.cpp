@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "plumbline/write.hpp"
+#include "plumbline/output.hpp"
 
 namespace plumbline {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/report.hpp"
+#include "plumbline/output.hpp"
 
 namespace plumbline {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "output/json/json_writer.hpp"
+#include "output/json/writer.hpp"
 #include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/lar.hpp"
 

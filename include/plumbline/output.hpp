@@ -1,0 +1,100 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "plumbline/check.hpp"
+#include "plumbline/complex.hpp"
+#include "plumbline/diagnose.hpp"
+#include "plumbline/round.hpp"
+
+namespace plumbline {
+
+struct LarModel;
+struct Structure;
+
+// All that is written, one function for each form: text for a terminal, JSON, SVG, GeoJSON, a page
+// of HTML, rows of lines, a certificate. Every JSON is documented in docs/json.md.
+
+/// The complex as JSON: vertices (exact text and nearest double), edges with their sources, faces
+/// with cycles of signed edges, area, depth, interior point; components; rejected items; ledger;
+/// signature.
+std::string to_json(const ExactComplex& complex, const SegmentSet& input);
+
+/// The same with numbers that are proven to be those of the same complex: of `complex` itself where
+/// the rounding keeps its incidences, else of the snap rounded complex, and what has changed.
+std::string to_json(const ExactComplex& complex, const SegmentSet& input, const Grid& grid,
+                    const Rounding& rounding);
+
+/// The structure as JSON that `read_struct_json` reads back: definitions in order, references by
+/// name, rotations as the exact matrices that they became. Throws: Error BadInput for a reference
+/// to no Struct.
+std::string to_json(const Structure& structure);
+
+/// The model as JSON: V and CV, V, FV and EV, or V and cells. Decimals are numbers, other
+/// coordinates strings "p/q".
+std::string to_json(const LarModel& model);
+
+/// The complex as an SVG picture, in the drawing's own coordinates: faces filled by nesting depth,
+/// edges, antennas dashed; y negated where it runs upwards. **Rounded** to nearest doubles.
+std::string to_svg(const ExactComplex& complex, bool y_up = false);
+
+/// The segments as an SVG picture of lines, in the same way.
+std::string to_svg(const SegmentSet& input);
+
+/// The segments as rows "x1,y1,x2,y2", which `read` takes as a .lines file; the shortest decimals
+/// that round to the coordinates.
+std::string to_lines(std::span<const SegmentD> segments);
+
+/// The segments in their order as rows "x1,y1,x2,y2" and the isolated points as rows "x,y", with
+/// `exact_text`s. **Exact**. `read` takes it as a .lines file (it lists the points as rejected),
+/// plumbline-verify as the input of a certificate.
+std::string to_lines(const SegmentSet& input);
+
+/// The edges in their order as such rows, with whole decimal expansions: what they say is the
+/// complex itself, but for its isolated vertices and sources. **Exact**. Requires: coordinates are
+/// decimals, as those of a Rounding are; throws Error BadInput.
+std::string to_lines(const ExactComplex& complex);
+
+/// The certificate of an exact arrangement: the complex, and for each cell what is needed to check
+/// it against the input without trusting who made it; `plumbline-verify` does. The format is in
+/// docs/certificate.md. **Exact**. Requires: `complex` is what `arrange` returns for `input`.
+/// Order: canonical; the same bytes whatever the engine and the number of threads. Cost: linear,
+/// and an `interior_point` for each face. Throws: Error Internal where the complex is not that of
+/// the input and this is noticed; that no claim is wrong is for the checker to say.
+std::string certificate(const ExactComplex& complex, const SegmentSet& input);
+
+/// The verdict for a terminal: counts side by side, then the findings, numbered; `limit` of them.
+std::string to_text(const Check& check, std::size_t limit = 4);
+/// The same as JSON, all findings.
+std::string to_json(const Check& check);
+/// Two panels of the same drawing, exact and float: faces filled by depth, edges, and every finding
+/// marked with its number in a second colour.
+std::string to_svg(const Check& check);
+/// A page to look at all of it with a browser: pan and zoom, layers, findings, faces, the ladder.
+/// One file that loads nothing else. Cost: some 20 bytes an edge and complex.
+std::string to_html(const Check& check);
+/// The findings of the float result as a GeoJSON layer for QGIS and OGR: a Feature per finding, its
+/// place as a Point (null for kind Complex) in the drawing's own coordinates.
+std::string to_geojson(const Check& check);
+
+/// A tolerance ladder for a terminal: a table of its first `limit` steps. Requires: the ladder of
+/// this complex.
+std::string to_text(const ToleranceLadder& ladder, const ExactComplex& complex,
+                    std::size_t limit = 20);
+/// The same as a picture: vertices, edges and faces over the logarithm of the radius; radii for
+/// which the float result is right in green.
+std::string to_svg(const ToleranceLadder& ladder, const std::optional<RightRadii>& radii = {});
+
+/// The diagnosis for a terminal: how many defects of each kind, then `limit` of each with their
+/// places and elements, then what tolerances would mend. Numbers are positions in
+/// Diagnosis::defects, from 1, here and below.
+std::string to_text(const Diagnosis& diagnosis, const SegmentSet& input, std::size_t limit = 20);
+/// The same as JSON, all that are listed.
+std::string to_json(const Diagnosis& diagnosis, const SegmentSet& input);
+/// A panel for each kind that was found: the drawing with the defects marked by their numbers.
+std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
+                   const ExactComplex& complex);
+
+}  // namespace plumbline

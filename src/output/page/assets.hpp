@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+namespace plumbline {
+
+/// The files of src/web as they are, put into the library at build time by
+/// cmake/embed.cmake.
+extern const std::string_view kPageBody;    ///< page.html
+extern const std::string_view kPageStyle;   ///< page.css
+extern const std::string_view kPageScript;  ///< bundle/report.js
+
+}  // namespace plumbline

@@ -1,0 +1,108 @@
+#include <rapidjson/document.h>
+#include <rapidjson/schema.h>
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+#include <pugixml.hpp>
+
+#include "plumbline/arrange.hpp"
+#include "plumbline/output.hpp"
+#include "support/segments.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+/// A room with an undershoot of 1/4, a duplicate and two dangles.
+struct Example {
+  SegmentSet input =
+      segments(rectangle(0, 0, 10, 10) + "5 0 5 9.75  0 0 10 0  10 5 12 5  10 6 12 6");
+  ExactComplex complex = arrange(input);
+  Diagnosis diagnosis(std::size_t most_listed = 1000) const {
+    return diagnose(input, complex, {Rational(1, 4), most_listed});
+  }
+};
+
+rapidjson::Document parsed(const std::string& text) {
+  rapidjson::Document document;
+  document.Parse(text.c_str());
+  REQUIRE(!document.HasParseError());
+  return document;
+}
+
+bool fits_schema(const rapidjson::Document& document) {
+  std::ifstream file(PLUMBLINE_DIAGNOSIS_SCHEMA);
+  const rapidjson::Document text =
+      parsed(std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()));
+  const rapidjson::SchemaDocument schema(text);
+  rapidjson::SchemaValidator validator(schema);
+  return document.Accept(validator);
+}
+
+}  // namespace
+
+TEST_CASE("the JSON fits its schema, which refuses what is no diagnosis") {
+  const auto drawing = GENERATE(
+      as<std::string>(), "", "+ 1 2  + 1 2.001", "0 0 1 0  0 0 1 0  0.5 0 2 0  1 0.001 3 0.0011",
+      "0 0 1e60 1  5 0 5 1e60  0 1 1e60 1", "0 0 9 0  9 0 9 1/300  9 1/300 0 0  4 -2 4 1/299");
+  for (const std::optional<Rational>& within :
+       {std::optional<Rational>(), std::optional<Rational>(2)}) {
+    const SegmentSet input = segments(drawing);
+    rapidjson::Document json = parsed(to_json(diagnose(input, arrange(input), {within}), input));
+    CHECK(fits_schema(json));
+    json["counts"].RemoveMember("bridge");
+    CHECK_FALSE(fits_schema(json));
+  }
+}
+
+TEST_CASE("the text counts all kinds, then lists each with its elements") {
+  const Example example;
+  const std::string text = to_text(example.diagnosis(), example.input, 1);
+  CHECK(text.substr(0, text.find('\n')) == "4 defects; near means within 0.25; 3 loose ends");
+  CHECK(text.find("  duplicate              1\n") != std::string::npos);
+  CHECK(text.find("  sliver                 0\n") != std::string::npos);
+  CHECK(text.find("\nundershoot: 1\n"
+                  "     2. at (5, 9.75): a line ends 0.25 short of another one\n"
+                  "        text:3:1 text\n        text:5:1 text\n") != std::string::npos);
+  CHECK(text.find("\ndangle: 2\n     3. at (12, 5): a line of length 2 has a loose end\n"
+                  "        text:7:1 text\n      ... and 1 more\n") != std::string::npos);
+  CHECK(text.find("  0                  1\n  0.25               2\n") != std::string::npos);
+  CHECK(text.find("the shortest edge that is part of no defect is 1 long") != std::string::npos);
+}
+
+TEST_CASE("the JSON has exact sizes, cells and sources") {
+  const Example example;
+  const rapidjson::Document json = parsed(to_json(example.diagnosis(), example.input));
+  CHECK(std::string(json["format"].GetString()) == "plumbline diagnosis 1");
+  CHECK(std::string(json["within"]["exact"].GetString()) == "0.25");
+  CHECK(json["counts"].MemberCount() == kDefectKinds);
+  CHECK(json["counts"]["undershoot"].GetUint() == 1);
+  CHECK(json["counts"]["near-miss"].GetUint() == 0);
+  REQUIRE(json["defects"].Size() == 4);
+  const auto& defect = json["defects"][1];
+  CHECK(std::string(defect["kind"].GetString()) == "undershoot");
+  CHECK(std::string(defect["where"]["exact"][1].GetString()) == "9.75");
+  CHECK(std::string(defect["squared_size"]["exact"].GetString()) == "0.0625");
+  CHECK(defect["proposed_tolerance"].GetDouble() == 0.25);
+  CHECK(defect["area"].IsNull());
+  CHECK(defect["face"].IsNull());
+  const Point& tip = example.complex.vertices.at(defect["vertices"][0].GetUint());
+  CHECK(to_text(tip) == "5 9.75");
+  REQUIRE(defect["sources"].Size() == 2);
+  CHECK(json["sources"][defect["sources"][1].GetUint()]["line"].GetUint() == 5);
+  CHECK(json["defects"][2]["proposed_tolerance"].IsNull());
+}
+
+TEST_CASE("the picture has a panel for each kind, with what was left out") {
+  const Example example;
+  pugi::xml_document svg;
+  REQUIRE(svg.load_string(to_svg(example.diagnosis(1), example.input, example.complex).c_str()));
+  std::string titles;
+  for (const pugi::xml_node& panel : svg.child("svg").children("g"))
+    titles += std::string(panel.child("text").text().get()) + "; ";
+  CHECK(titles == "duplicate: 1; undershoot: 1; dangle: 2, of which 1 are marked; ");
+  const SegmentSet nothing;
+  const ExactComplex empty = arrange(nothing);
+  CHECK(svg.load_string(to_svg(diagnose(nothing, empty), nothing, empty).c_str()));
+}
