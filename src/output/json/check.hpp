@@ -3,10 +3,10 @@
 #include "output/json/writer.hpp"
 #include "plumbline/check.hpp"
 
-namespace plumbline {
+namespace plumbline::json {
 
-/// The members of `report_json` up to the findings, the ladder included: all but those that tell
-/// where the drawing's items come from. Written into the open object.
-void write_check(JsonWriter& json, const Check& check);
+/// The members of a check up to the findings, the ladder included: all but those that tell where
+/// the drawing's items come from.
+Part check_members(const Check& check);
 
-}  // namespace plumbline
+}  // namespace plumbline::json

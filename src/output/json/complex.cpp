@@ -1,8 +1,10 @@
+#include "output/json/input.hpp"
 #include "output/json/rounding.hpp"
-#include "output/json/writer.hpp"
+#include "output/json/signed_edges.hpp"
 #include "plumbline/output.hpp"
 
 namespace plumbline {
+namespace json {
 namespace {
 
 /// What else is written of a complex whose coordinates are rounded.
@@ -13,132 +15,73 @@ struct Rounded {
 };
 
 /// The numbers beside the exact coordinates of vertex v of the written complex.
-void write_nearest(JsonWriter& json, const Point& p, VertexId v, const Rounded* rounded) {
+auto numbers(const Point& p, VertexId v, const Rounded* rounded) {
   const Point* to = &p;
-  if (rounded != nullptr && rounded->rounding.has_same_incidences())
+  if (rounded != nullptr && rounded->rounding.has_same_incidences()) {
     to = &rounded->rounding.complex.vertices[rounded->rounding.vertex_image[v]];
-  json.StartArray();
-  for (const Rational* coordinate : {&to->x, &to->y}) {
-    if (rounded != nullptr && rounded->grid.decimals) {
-      json.whole_decimal(*coordinate);
-    } else {
-      json.number(nearest_double(*coordinate));
-    }
   }
-  json.EndArray();
+  const bool is_decimal = rounded != nullptr && rounded->grid.decimals;
+  const auto number = [is_decimal](const Rational& x) -> std::variant<double, Digits> {
+    if (is_decimal) return Digits{decimal_text(x)};
+    return nearest_double(x);
+  };
+  return std::array{number(to->x), number(to->y)};
 }
 
-void write_vertices(JsonWriter& json, const ExactComplex& c, const Rounded* rounded) {
-  json.Key("vertices");
-  json.StartArray();
-  for (std::size_t v = 0; v < c.vertices.size(); ++v) {
-    json.StartObject();
-    json.Key("exact");
-    json.point(c.vertices[v]);
-    json.Key("nearest");
-    write_nearest(json, c.vertices[v], VertexId(v), rounded);
-    json.EndObject();
-  }
-  json.EndArray();
+auto edge(const ExactComplex& c, EdgeId e) {
+  return object(member("tail", c.edges[e].tail), member("head", c.edges[e].head),
+                member("antenna", c.is_antenna(e)), member("segments", c.edge_sources[e]));
 }
 
-void write_edges(JsonWriter& json, const ExactComplex& c) {
-  json.Key("edges");
-  json.StartArray();
-  for (std::size_t e = 0; e < c.edge_count(); ++e) {
-    json.StartObject();
-    json.Key("tail");
-    json.count(c.edges[e].tail);
-    json.Key("head");
-    json.count(c.edges[e].head);
-    json.Key("antenna");
-    json.Bool(c.is_antenna(EdgeId(e)));
-    json.Key("segments");
-    json.counts(c.edge_sources[e]);
-    json.EndObject();
-  }
-  json.EndArray();
+auto face(const ExactComplex& c, FaceId f, const Rational& area) {
+  const auto cycle = [&c](CycleId id) { return signed_edges(c.cycles[id]); };
+  return object(
+      member("outer", given(c.face_outer[f].valid(), [&] { return cycle(c.face_outer[f]); })),
+      member("holes", list(c.face_holes[f], cycle)),
+      member("isolated_vertices", c.face_isolated_vertices[f]), member("depth", c.face_depth[f]),
+      when(f != kUnbounded, [&c, f, &area] {
+        return members(member("parent", c.parent(f)), member("area", area),
+                       member("interior_point", interior_point(c, f)));
+      }));
 }
 
-void write_face(JsonWriter& json, const ExactComplex& c, FaceId f, const Rational& area) {
-  json.StartObject();
-  json.Key("outer");
-  if (c.face_outer[f].valid()) {
-    write_signed_edges(json, c.cycles[c.face_outer[f]]);
-  } else {
-    json.Null();
-  }
-  json.Key("holes");
-  json.StartArray();
-  for (const CycleId hole : c.face_holes[f]) write_signed_edges(json, c.cycles[hole]);
-  json.EndArray();
-  json.Key("isolated_vertices");
-  json.counts(c.face_isolated_vertices[f]);
-  json.Key("depth");
-  json.count(c.face_depth[f]);
-  if (f != kUnbounded) {
-    json.Key("parent");
-    json.count(c.parent(f));
-    json.Key("area");
-    json.exact(area);
-    json.Key("interior_point");
-    json.point(interior_point(c, f));
-  }
-  json.EndObject();
+auto cells(const ExactComplex& c, const std::vector<Rational>& areas, const Rounded* rounded) {
+  const auto vertex = [&c, rounded](std::size_t v) {
+    return object(member("exact", c.vertices[v]),
+                  member("nearest", numbers(c.vertices[v], VertexId(v), rounded)));
+  };
+  const auto component = [](FaceId parent) { return object(member("parent", parent)); };
+  return members(
+      member("vertices", list(c.vertices.size(), vertex)),
+      member("edges", list(c.edge_count(), [&c](std::size_t e) { return edge(c, EdgeId(e)); })),
+      member("faces", list(c.face_count(),
+                           [&c, &areas](std::size_t f) { return face(c, FaceId(f), areas[f]); })),
+      member("components", list(c.component_parent, component)));
 }
 
-std::string document(const ExactComplex& complex, const SegmentSet& input, const Rounded* rounded) {
-  JsonWriter json;
-  json.StartObject();
-  json.Key("format");
-  json.text("plumbline arrangement 1");
-  json.Key("signature");
-  json.text(signature(complex));
-  json.Key("exact");
-  json.Bool(input.ledger.empty() &&
-            (rounded == nullptr || rounded->rounding.has_same_incidences()));
-  if (rounded != nullptr) write_rounding(json, rounded->exact, rounded->grid, rounded->rounding);
-  write_vertices(json, complex, rounded);
-  write_edges(json, complex);
+std::string text(const ExactComplex& complex, const SegmentSet& input, const Rounded* rounded) {
+  const bool is_exact =
+      input.ledger.empty() && (rounded == nullptr || rounded->rounding.has_same_incidences());
   const std::vector<Rational> areas = face_areas(complex);
-  json.Key("faces");
-  json.StartArray();
-  for (std::size_t f = 0; f < complex.face_count(); ++f)
-    write_face(json, complex, FaceId(f), areas[f]);
-  json.EndArray();
-  json.Key("components");
-  json.StartArray();
-  for (const FaceId parent : complex.component_parent) {
-    json.StartObject();
-    json.Key("parent");
-    json.count(parent);
-    json.EndObject();
-  }
-  json.EndArray();
-  write_input(json, input);
-  json.EndObject();
-  return json.take();
+  return document(object(
+      member("format", "plumbline arrangement 1"), member("signature", signature(complex)),
+      member("exact", is_exact),
+      when(rounded,
+           [rounded] { return rounding_member(rounded->exact, rounded->grid, rounded->rounding); }),
+      cells(complex, areas, rounded), input_members(input)));
 }
 
 }  // namespace
-
-void write_signed_edges(JsonWriter& json, std::span<const HalfedgeId> halfedges) {
-  json.StartArray();
-  for (const HalfedgeId h : halfedges) {
-    const auto number = static_cast<std::int64_t>(static_cast<std::size_t>(edge_of(h))) + 1;
-    json.Int64(is_reversed(h) ? -number : number);
-  }
-  json.EndArray();
-}
+}  // namespace json
 
 std::string to_json(const ExactComplex& complex, const SegmentSet& input) {
-  return document(complex, input, nullptr);
+  return json::text(complex, input, nullptr);
 }
 
 std::string to_json(const ExactComplex& complex, const SegmentSet& input, const Grid& grid,
                     const Rounding& rounding) {
-  const Rounded rounded{complex, grid, rounding};
-  return document(rounding.has_same_incidences() ? complex : rounding.complex, input, &rounded);
+  const json::Rounded rounded{complex, grid, rounding};
+  return json::text(rounding.has_same_incidences() ? complex : rounding.complex, input, &rounded);
 }
 
 }  // namespace plumbline

@@ -3,8 +3,12 @@
 
 #include "output/json/rounding.hpp"
 
-namespace plumbline {
+#include "output/json/signed_edges.hpp"
+
+namespace plumbline::json {
 namespace {
+
+using Changes = RoundingChanges;
 
 const char* name(RoundingMethod method) {
   switch (method) {
@@ -18,112 +22,87 @@ const char* name(RoundingMethod method) {
   return "unknown";
 }
 
-class RoundingJson {
- public:
-  RoundingJson(JsonWriter& json, const ExactComplex& exact, const Rounding& rounding)
-      : json_(json), exact_(exact), rounding_(rounding), changes_(changes(exact, rounding)) {}
+auto distance(const Rational& squared) {
+  return object(member("squared", Rational(squared)), member("nearest", nearest_sqrt(squared)));
+}
 
-  void write(const Grid& grid) {
-    json_.Key("rounding");
-    json_.StartObject();
-    member("grid", [&] { json_.text(to_text(grid)); });
-    member("method", [&] { json_.text(name(rounding_.method)); });
-    member("same_incidences", [&] { json_.Bool(rounding_.has_same_incidences()); });
-    member("spacing", [&] { json_.exact(rounding_.spacing); });
-    member("bound", [&] { json_.exact(rounding_.spacing / 2); });
-    member("verified", [&] { json_.Bool(true); });  // else there was no Rounding
-    if (grid.decimals) {
-      member("valid_as_doubles",
-             [&] { json_.Bool(is_kept_by_simple_rounding(rounding_.complex, {})); });
-    }
-    distance("largest_movement", changes_.largest_squared_movement());
-    if (!rounding_.has_same_incidences()) write_changes();
-    json_.EndObject();
-  }
+auto edge_members(const ExactComplex& c, EdgeId e) {
+  return members(member("from", c.vertices[c.edges[e].tail]),
+                 member("to", c.vertices[c.edges[e].head]), member("segments", c.edge_sources[e]));
+}
 
- private:
-  template <class Write>
-  void member(const char* key, Write write) {
-    json_.Key(key);
-    write();
-  }
+auto vertex_changes(const ExactComplex& exact, const Rounding& rounding, const Changes& changes) {
+  const auto moved = [&](const Changes::Movement& m) {
+    return object(member("vertex", rounding.vertex_image[m.vertex]),
+                  member("from", exact.vertices[m.vertex]),
+                  member("distance", distance(m.squared_distance)));
+  };
+  const auto merged = [&](const Changes::MergedVertices& m) {
+    const auto place = [&exact](VertexId v) -> const Point& { return exact.vertices[v]; };
+    return object(member("vertex", m.into), member("from", list(m.from, place)));
+  };
+  return members(member("moved_vertices", list(changes.moved_vertices, moved)),
+                 member("merged_vertices", list(changes.merged_vertices, merged)));
+}
 
-  template <class List, class Write>
-  void list(const char* key, const List& items, Write write) {
-    json_.Key(key);
-    json_.StartArray();
-    for (const auto& item : items) {
-      json_.StartObject();
-      write(item);
-      json_.EndObject();
-    }
-    json_.EndArray();
-  }
+auto edge_changes(const ExactComplex& exact, const Rounding& rounding, const Changes& changes) {
+  const auto edge = [&exact](EdgeId e) { return object(edge_members(exact, e)); };
+  const auto bent = [&](const Changes::Bend& b) {
+    return object(edge_members(exact, b.edge),
+                  member("edges", signed_edges(rounding.edge_image[b.edge])),
+                  member("distance", distance(b.squared_distance)));
+  };
+  const auto merged = [edge](const Changes::MergedEdges& m) {
+    return object(member("edge", m.into), member("from", list(m.from, edge)));
+  };
+  return members(member("bent_edges", list(changes.bent_edges, bent)),
+                 member("merged_edges", list(changes.merged_edges, merged)),
+                 member("vanished_edges", list(changes.vanished_edges, edge)));
+}
 
-  void distance(const char* key, const Rational& squared) {
-    json_.Key(key);
-    json_.StartObject();
-    member("squared", [&] { json_.exact(squared); });
-    member("nearest", [&] { json_.number(nearest_sqrt(squared)); });
-    json_.EndObject();
-  }
+auto face_changes(const ExactComplex& exact, const std::vector<Rational>& areas,
+                  const Changes& changes) {
+  const auto face_members = [&](FaceId f) {
+    return members(member("interior_point", interior_point(exact, f)), member("area", areas[f]));
+  };
+  const auto vanished = [face_members](FaceId f) { return object(face_members(f)); };
+  const auto split = [face_members](const Changes::SplitFace& s) {
+    return object(when(s.face != kUnbounded, [&s, face_members] { return face_members(s.face); }),
+                  member("into", s.into));
+  };
+  return members(member("vanished_faces", list(changes.vanished_faces, vanished)),
+                 member("split_faces", list(changes.split_faces, split)));
+}
 
-  void edge(EdgeId e) {
-    const Edge& edge = exact_.edges[e];
-    member("from", [&] { json_.point(exact_.vertices[edge.tail]); });
-    member("to", [&] { json_.point(exact_.vertices[edge.head]); });
-    member("segments", [&] { json_.counts(exact_.edge_sources[e]); });
-  }
-
-  void face(FaceId f, const Rational& area) {
-    member("interior_point", [&] { json_.point(interior_point(exact_, f)); });
-    member("area", [&] { json_.exact(area); });
-  }
-
-  void write_changes() {
-    using Changes = RoundingChanges;
-    distance("largest_bend", changes_.largest_squared_bend());
-    list("moved_vertices", changes_.moved_vertices, [&](const Changes::Movement& m) {
-      member("vertex", [&] { json_.count(rounding_.vertex_image[m.vertex]); });
-      member("from", [&] { json_.point(exact_.vertices[m.vertex]); });
-      distance("distance", m.squared_distance);
-    });
-    list("merged_vertices", changes_.merged_vertices, [&](const Changes::MergedVertices& m) {
-      member("vertex", [&] { json_.count(m.into); });
-      json_.Key("from");
-      json_.StartArray();
-      for (const VertexId v : m.from) json_.point(exact_.vertices[v]);
-      json_.EndArray();
-    });
-    list("bent_edges", changes_.bent_edges, [&](const Changes::Bend& b) {
-      edge(b.edge);
-      member("edges", [&] { write_signed_edges(json_, rounding_.edge_image[b.edge]); });
-      distance("distance", b.squared_distance);
-    });
-    list("merged_edges", changes_.merged_edges, [&](const Changes::MergedEdges& m) {
-      member("edge", [&] { json_.count(m.into); });
-      list("from", m.from, [&](EdgeId e) { edge(e); });
-    });
-    list("vanished_edges", changes_.vanished_edges, [&](EdgeId e) { edge(e); });
-    const std::vector<Rational> areas = face_areas(exact_);
-    list("vanished_faces", changes_.vanished_faces, [&](FaceId f) { face(f, areas[f]); });
-    list("split_faces", changes_.split_faces, [&](const Changes::SplitFace& s) {
-      if (s.face != kUnbounded) face(s.face, areas[s.face]);
-      member("into", [&] { json_.counts(s.into); });
-    });
-  }
-
-  JsonWriter& json_;
-  const ExactComplex& exact_;
-  const Rounding& rounding_;
-  const RoundingChanges changes_;
-};
+void write_rounding(Writer& json, const ExactComplex& exact, const Grid& grid,
+                    const Rounding& rounding) {
+  const Changes found = changes(exact, rounding);
+  const bool is_same = rounding.has_same_incidences();
+  const std::vector<Rational> areas = is_same ? std::vector<Rational>() : face_areas(exact);
+  json.part(member("rounding",
+                   object(member("grid", to_text(grid)), member("method", name(rounding.method)),
+                          member("same_incidences", is_same), member("spacing", rounding.spacing),
+                          member("bound", Rational(rounding.spacing / 2)),
+                          member("verified", true),  // else there was no Rounding
+                          when(grid.decimals,
+                               [&] {
+                                 return member("valid_as_doubles",
+                                               is_kept_by_simple_rounding(rounding.complex, {}));
+                               }),
+                          member("largest_movement", distance(found.largest_squared_movement())),
+                          when(!is_same, [&] {
+                            return members(
+                                member("largest_bend", distance(found.largest_squared_bend())),
+                                vertex_changes(exact, rounding, found),
+                                edge_changes(exact, rounding, found),
+                                face_changes(exact, areas, found));
+                          }))));
+}
 
 }  // namespace
 
-void write_rounding(JsonWriter& json, const ExactComplex& exact, const Grid& grid,
-                    const Rounding& rounding) {
-  RoundingJson(json, exact, rounding).write(grid);
+Part rounding_member(const ExactComplex& exact, const Grid& grid, const Rounding& rounding) {
+  return [&exact, grid, &rounding](Writer& json) { write_rounding(json, exact, grid, rounding); };
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::json

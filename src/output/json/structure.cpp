@@ -1,171 +1,124 @@
 // Structures and LAR models as JSON, as read_struct_json reads them.
 
+#include "plumbline/structure.hpp"
+
 #include <array>
 #include <set>
 
-#include "output/json/writer.hpp"
+#include "output/json/input.hpp"
 #include "plumbline/output.hpp"
-#include "plumbline/structure.hpp"
 
 namespace plumbline {
+namespace json {
 namespace {
 
-void write_point(JsonWriter& json, std::span<const Number> coordinates) {
-  json.StartArray();
-  for (const Number& x : coordinates) json.decimal(x.rational());
-  json.EndArray();
+auto point(std::span<const Number> coordinates) {
+  return list(coordinates, [](const Number& x) { return decimal(x.rational()); });
 }
 
-void write_cells(JsonWriter& json, const Cells& cells) {
-  json.StartArray();
-  for (std::size_t c = 0; c < cells.size(); ++c) json.counts(cells[c]);
-  json.EndArray();
+auto cells(const Cells& of_one_dimension) {
+  return list(of_one_dimension.size(),
+              [&of_one_dimension](std::size_t c) { return of_one_dimension[c]; });
 }
 
 /// V and the arrays of cells, by the names that LAR gives them.
-void write_members(JsonWriter& json, const LarModel& model) {
-  json.Key("V");
-  json.StartArray();
-  for (std::size_t v = 0; v < model.vertex_count(); ++v) write_point(json, model.vertex(v));
-  json.EndArray();
+auto model_members(const LarModel& model) {
   constexpr std::array<const char*, 3> kNames{"CV", "FV", "EV"};
   const std::size_t count = model.cells.size();
-  if (count == 0 || count > kNames.size()) {
-    json.Key("cells");
-    json.StartArray();
-    for (const Cells& cells : model.cells) write_cells(json, cells);
-    json.EndArray();
-    return;
-  }
+  const bool have_names = count > 0 && count <= kNames.size();
   const std::size_t first = count == 2 ? 1 : 0;  // (V, CV), (V, FV, EV), (V, CV, FV, EV)
-  for (std::size_t k = 0; k < count; ++k) {
-    json.Key(kNames.at(first + k));
-    write_cells(json, model.cells[k]);
-  }
+  return members(member("V", list(model.vertex_count(),
+                                  [&model](std::size_t v) { return point(model.vertex(v)); })),
+                 when(!have_names, [&model] { return member("cells", list(model.cells, cells)); }),
+                 each(std::views::iota(std::size_t{0}, have_names ? count : 0),
+                      [&model, kNames, first](std::size_t k) {
+                        return member(kNames.at(first + k), cells(model.cells[k]));
+                      }));
 }
 
-class StructWriter {
- public:
-  explicit StructWriter(const Structure& structure) : structure_(structure) { name_definitions(); }
+/// The rows of the matrix, that below the map's own included.
+auto map_member(const Affine& map) {
+  const std::size_t width = map.dimension() + 1;
+  std::vector<Number> last(width);
+  last.back() = Number::decimal(1, 0);
+  return member("mat", list(width, [&map, width, last = std::move(last)](std::size_t i) {
+                  return point(i + 1 < width ? map.entries().subspan(i * width, width) : last);
+                }));
+}
 
-  std::string write() && {
-    json_.StartObject();
-    json_.Key("root");
-    json_.text(key(structure_.root));
-    json_.Key("y_up");
-    json_.Bool(structure_.y_up);
-    json_.Key("defs");
-    json_.StartObject();
-    for (std::size_t s = 0; s < structure_.structs.size(); ++s) define(StructId(s));
-    json_.EndObject();
-    write_files(json_, structure_.files);
-    write_rejected(json_, structure_.rejected);
-    write_ledger(json_, structure_.ledger);
-    json_.EndObject();
-    return json_.take();
+using Row = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+using RowWithId = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::string_view>;
+
+auto lines_members(const Model& model) {
+  const auto line = [&model](std::size_t i) {
+    const auto numbers = model.segments.numbers(i);
+    return std::tuple(point(numbers.first<2>()), point(numbers.last<2>()));
+  };
+  const auto row = [&model](const Model::Row& r) -> std::variant<Row, RowWithId> {
+    if (r.id == 0) return Row{r.line, r.column, r.segment_count};
+    return RowWithId{r.line, r.column, r.segment_count, model.row_ids[r.id - 1]};
+  };
+  return members(
+      source_members(model.source), member("lines", list(model.segments.size(), line)),
+      when(!model.rows.empty(), [&model, row] { return member("rows", list(model.rows, row)); }));
+}
+
+/// A name for each Struct: its own where no earlier one has it, else one with its number.
+std::vector<std::string> names(const Structure& structure) {
+  std::vector<std::string> result;
+  std::set<std::string> taken;
+  for (std::size_t s = 0; s < structure.structs.size(); ++s) {
+    std::string name = valid_utf8(structure.structs[s].name);
+    if (name.empty()) name = "Struct " + std::to_string(s);
+    while (!taken.insert(name).second) name += " " + std::to_string(s);
+    result.push_back(std::move(name));
   }
+  return result;
+}
 
- private:
-  /// A name for each Struct: its own where no earlier one has it, else one with its number.
-  void name_definitions() {
-    std::set<std::string> taken;
-    for (std::size_t s = 0; s < structure_.structs.size(); ++s) {
-      std::string name = valid_utf8(structure_.structs[s].name);
-      if (name.empty()) name = "Struct " + std::to_string(s);
-      while (!taken.insert(name).second) name += " " + std::to_string(s);
-      keys_.push_back(std::move(name));
-    }
+/// The items of Structs.
+struct Items {
+  const std::vector<std::string>& names;
+
+  const std::string& name(StructId id) const {
+    if (id < names.size()) return names[id];
+    throw Error(ErrorCode::BadInput, "reference to a Struct that does not exist");
   }
-
-  const std::string& key(StructId id) const {
-    if (id >= keys_.size()) {
-      throw Error(ErrorCode::BadInput, "reference to a Struct that does not exist");
-    }
-    return keys_[id];
+  Part operator()(const StructId& id) const { return part_of(member("ref", name(id))); }
+  Part operator()(const Affine& map) const { return part_of(map_member(map)); }
+  Part operator()(const Model& model) const { return part_of(lines_members(model)); }
+  Part operator()(const LarModel& model) const {
+    return part_of(members(source_members(model.source), model_members(model)));
   }
-
-  void define(StructId id) {
-    const Struct& s = structure_.structs[id];
-    json_.key(keys_[id]);
-    json_.StartObject();
-    if (s.name != keys_[id]) member("name", s.name);
-    if (!s.category.empty()) member("category", s.category);
-    json_.Key("body");
-    json_.StartArray();
-    for (const Struct::Item& item : s.body) {
-      json_.StartObject();
-      std::visit([this](const auto& value) { write_item(value); }, item);
-      json_.EndObject();
-    }
-    json_.EndArray();
-    json_.EndObject();
-  }
-
-  void write_item(const StructId& id) { member("ref", key(id)); }
-
-  void write_item(const Affine& map) {
-    const std::size_t d = map.dimension();
-    json_.Key("mat");
-    json_.StartArray();
-    for (std::size_t i = 0; i < d; ++i) {
-      write_point(json_, map.entries().subspan(i * (d + 1), d + 1));
-    }
-    std::vector<Number> last(d + 1);
-    last.back() = Number::decimal(1, 0);
-    write_point(json_, last);
-    json_.EndArray();
-  }
-
-  void write_item(const Model& model) {
-    write_source_members(json_, model.source);
-    json_.Key("lines");
-    json_.StartArray();
-    for (std::size_t i = 0; i < model.segments.size(); ++i) {
-      json_.StartArray();
-      write_point(json_, model.segments.numbers(i).first<2>());
-      write_point(json_, model.segments.numbers(i).last<2>());
-      json_.EndArray();
-    }
-    json_.EndArray();
-    if (model.rows.empty()) return;
-    json_.Key("rows");
-    json_.StartArray();
-    for (const Model::Row& row : model.rows) {
-      json_.StartArray();
-      for (const std::uint32_t number : {row.line, row.column, row.segment_count}) {
-        json_.count(number);
-      }
-      if (row.id != 0) json_.text(model.row_ids[row.id - 1]);
-      json_.EndArray();
-    }
-    json_.EndArray();
-  }
-
-  void write_item(const LarModel& model) {
-    write_source_members(json_, model.source);
-    write_members(json_, model);
-  }
-
-  void member(const char* name, std::string_view value) {
-    json_.Key(name);
-    json_.text(value);
-  }
-
-  const Structure& structure_;
-  std::vector<std::string> keys_;
-  JsonWriter json_;
 };
 
-}  // namespace
+auto definition(const Struct& s, const std::string& name, const Items& items) {
+  return object(when(s.name != name, [&s] { return member("name", s.name); }),
+                when(!s.category.empty(), [&s] { return member("category", s.category); }),
+                member("body", list(s.body, [items](const Struct::Item& item) {
+                         return object(std::visit(items, item));
+                       })));
+}
 
-std::string to_json(const Structure& structure) { return StructWriter(structure).write(); }
+}  // namespace
+}  // namespace json
+
+std::string to_json(const Structure& structure) {
+  using namespace json;
+  const std::vector<std::string> keys = names(structure);
+  const Items items{keys};
+  return document(object(
+      member("root", items.name(structure.root)), member("y_up", structure.y_up),
+      member("defs", object(each(std::views::iota(std::size_t{0}, keys.size()),
+                                 [&](std::size_t s) {
+                                   return member(keys[s],
+                                                 definition(structure.structs[s], keys[s], items));
+                                 }))),
+      member("files", structure.files), losses(structure.rejected, structure.ledger)));
+}
 
 std::string to_json(const LarModel& model) {
-  JsonWriter json;
-  json.StartObject();
-  write_members(json, model);
-  json.EndObject();
-  return json.take();
+  return json::document(json::object(json::model_members(model)));
 }
 
 }  // namespace plumbline

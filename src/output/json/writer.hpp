@@ -3,101 +3,124 @@
 #include <rapidjson/prettywriter.h>
 #include <rapidjson/stringbuffer.h>
 
-#include <string>
+#include <concepts>
+#include <functional>
 #include <string_view>
-#include <vector>
 
-#include "plumbline/error.hpp"
-#include "plumbline/geometry.hpp"
+#include "output/json/values.hpp"
+#include "plumbline/complex.hpp"
 
-namespace plumbline {
+namespace plumbline::json {
 
-/// RapidJSON's writer, with the values that our files are made of. Arrays stand on one line.
-class JsonWriter : public rapidjson::PrettyWriter<rapidjson::StringBuffer> {
+/// RapidJSON's writer for such values. Arrays stand on one line.
+class Writer : private rapidjson::PrettyWriter<rapidjson::StringBuffer> {
  public:
-  JsonWriter() {
-    Reset(buffer_);
-    SetIndent(' ', 1);
-    SetFormatOptions(rapidjson::kFormatSingleLineArray);
-  }
+  Writer();
+  std::string take() const;
 
-  void text(std::string_view value) {
-    const std::string utf8 = valid_utf8(value);
-    String(utf8.data(), static_cast<rapidjson::SizeType>(utf8.size()));
-  }
-  /// The shortest decimal that reads back as the same double; an infinity as null.
-  void number(double value) {
-    const std::string digits = shortest_text(value);
-    if (digits.find_first_of("in") != std::string::npos) {
-      Null();
+  template <class T>
+  void value(const T& x) {
+    if constexpr (std::is_same_v<T, bool>) {
+      Bool(x);
+    } else if constexpr (std::signed_integral<T>) {
+      Int64(x);
+    } else if constexpr (std::unsigned_integral<T>) {
+      Uint64(x);
+    } else if constexpr (std::is_convertible_v<T, std::string_view>) {
+      text(x);
     } else {
-      RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
+      array(x, std::identity());
     }
   }
-  void key(std::string_view name) {
-    const std::string utf8 = valid_utf8(name);
-    Key(utf8.data(), static_cast<rapidjson::SizeType>(utf8.size()));
-  }
-  void count(std::size_t value) { Uint64(value); }
-  /// A number where the value is a decimal, else a string "p/q".
-  void decimal(const Rational& value) {
-    const std::string digits = exact_text(value);
-    if (digits.find('/') != std::string::npos) {
-      text(digits);
-    } else {
-      RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
-    }
-  }
-  /// A number with all its digits. Requires: the value is a decimal.
-  void whole_decimal(const Rational& value) {
-    const std::string digits = decimal_text(value);
-    RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
-  }
-  /// A string: a decimal or "p/q".
-  void exact(const Rational& value) { text(exact_text(value)); }
-  /// [x, y], exact.
-  void point(const Point& p) {
+  void value(double number);
+  void value(const Digits& digits);
+  void value(const Rational& number) { text(exact_text(number)); }
+  void value(const Point& p) { value(std::tie(p.x, p.y)); }
+  void value(const PointD& p) { value(std::tie(p.x, p.y)); }
+  void value(const SegmentD& s) { value(std::tie(s.a, s.b)); }
+  template <class... T>
+  void value(const std::tuple<T...>& x) {
     StartArray();
-    exact(p.x);
-    exact(p.y);
+    std::apply([this](const auto&... item) { (value(item), ...); }, x);
     EndArray();
   }
-  /// {exact: [x, y], nearest: [x, y]}.
-  void place(const Point& p) {
-    const PointD rounded = nearest(p);
+  template <class Tag>
+  void value(const Index<Tag>& index) {
+    index.valid() ? value(std::size_t{index}) : null();
+  }
+  template <class T>
+  void value(const std::optional<T>& x) {
+    x ? value(*x) : null();
+  }
+  template <class... T>
+  void value(const std::variant<T...>& x) {
+    std::visit([this](const auto& held) { value(held); }, x);
+  }
+  template <class T>
+  void value(const Lists<T>& lists) {
+    value(list(lists.size(), [&lists](std::size_t i) { return lists[i]; }));
+  }
+  template <class Range, class F>
+  void value(const List<Range, F>& x) {
+    array(x.range, x.f);
+  }
+  template <class... Parts>
+  void value(const Object<Parts...>& x) {
     StartObject();
-    Key("exact");
-    point(p);
-    Key("nearest");
-    StartArray();
-    number(rounded.x);
-    number(rounded.y);
-    EndArray();
+    all(x.parts);
     EndObject();
   }
-  /// The array of [count...] of a list of indices.
-  template <class Range>
-  void counts(const Range& values) {
-    StartArray();
-    for (const auto value : values) count(value);
-    EndArray();
-  }
 
-  std::string take() { return std::string(buffer_.GetString(), buffer_.GetSize()) + '\n'; }
+  template <class Key, class T>
+  void part(const Member<Key, T>& x) {
+    key(x.key);
+    value(x.value);
+  }
+  template <class... Parts>
+  void part(const Members<Parts...>& x) {
+    all(x.parts);
+  }
+  template <class F>
+  void part(const When<F>& x) {
+    if (x.is_there) part(x.f());
+  }
+  template <class Range, class F>
+  void part(const Each<Range, F>& x) {
+    for (const auto& item : x.range) part(x.f(item));
+  }
+  void part(const std::function<void(Writer&)>& write) { write(*this); }
 
  private:
+  void null() { Null(); }
+  void text(std::string_view words);
+  void key(std::string_view name);
+  template <class Range, class F>
+  void array(const Range& range, const F& f) {
+    StartArray();
+    for (const auto& item : range) value(f(item));
+    EndArray();
+  }
+  template <class... Parts>
+  void all(const std::tuple<Parts...>& parts) {
+    std::apply([this](const auto&... x) { (part(x), ...); }, parts);
+  }
+
   rapidjson::StringBuffer buffer_;
 };
 
-/// The members of a source, written into the open object.
-void write_source_members(JsonWriter& json, const Source& source);
-/// The members "files", "rejected", "ledger".
-void write_files(JsonWriter& json, const std::vector<std::string>& files);
-void write_rejected(JsonWriter& json, const std::vector<Rejected>& rejected);
-void write_ledger(JsonWriter& json, const std::vector<Replacement>& ledger);
+/// Parts of an object whose type is of no interest, for those that are made in another source.
+using Part = std::function<void(Writer&)>;
+template <class T>
+Part part_of(T part) {
+  return [part = std::move(part)](Writer& writer) { writer.part(part); };
+}
 
-/// The members that describe where a drawing's items come from: "files", "sources", "segments",
-/// "rejected", "ledger". Written into the open object. Documented in docs/json.md.
-void write_input(JsonWriter& json, const SegmentSet& input);
+/// The text of a file.
+template <class T>
+std::string document(const T& value) {
+  Writer writer;
+  writer.value(value);
+  return writer.take();
+}
 
-}  // namespace plumbline
+}  // namespace plumbline::json

@@ -73,25 +73,6 @@ void PageArrays::add(const std::string& name, std::span<const double> values,
   append_planes(words);
 }
 
-void PageArrays::write_directory(JsonWriter& json) const {
-  json.StartArray();
-  for (const Entry& entry : entries_) {
-    json.StartObject();
-    json.Key("name");
-    json.text(entry.name);
-    json.Key("type");
-    json.text(entry.type);
-    json.Key("count");
-    json.count(entry.count);
-    json.Key("reference");
-    json.text(entry.reference);
-    json.Key("index");
-    json.text(entry.index);
-    json.EndObject();
-  }
-  json.EndArray();
-}
-
 std::string packed(const std::string& bytes) { return base64(deflated(bytes)); }
 
 std::string base64(std::string_view bytes) {

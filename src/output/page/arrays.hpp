@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "output/json/writer.hpp"
-
 namespace plumbline {
 
 /// Arrays of numbers for the page: small once compressed, and read quickly. Each is stored in byte
@@ -28,18 +26,18 @@ class PageArrays {
   void add(const std::string& name, std::span<const double> values);
   void add(const std::string& name, std::span<const double> values, const Reference& reference);
 
-  /// The array of {name, type, count, reference, index} in their order; the latter two may be "".
-  void write_directory(JsonWriter& json) const;
-  /// The arrays one after the other.
-  const std::string& bytes() const { return bytes_; }
-
- private:
+  /// An array, as the page finds it; the latter two may be "".
   struct Entry {
     std::string name;
     const char* type;
     std::size_t count;
     std::string reference, index;
   };
+  const std::vector<Entry>& entries() const { return entries_; }
+  /// The arrays one after the other.
+  const std::string& bytes() const { return bytes_; }
+
+ private:
   template <class Word>
   void append_planes(const std::vector<Word>& words);
 

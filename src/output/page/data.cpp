@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "output/json/check.hpp"
+#include "output/json/input.hpp"
 #include "output/page/arrays.hpp"
 
 namespace plumbline {
@@ -131,21 +132,18 @@ class Complexes {
   std::vector<std::string> same_;
 };
 
-/// Files, elements and paths, each combination once, in the order of their first source.
-struct Kinds {
+/// Adds the sources. Returns their files, elements and paths, each combination once, in the order
+/// of their first source.
+std::vector<Source> add_sources(PageArrays& arrays, const SegmentSet& input) {
   std::map<std::tuple<std::uint32_t, std::string, std::string>, std::uint32_t> number;
-  std::vector<Source> list;
-};
-
-Kinds add_sources(PageArrays& arrays, const SegmentSet& input) {
-  Kinds kinds;
+  std::vector<Source> kinds;
   Integers lines, columns, kind;
   for (const Source& source : input.sources) {
     lines.push_back(source.line);
     columns.push_back(source.column);
-    const auto [it, is_new] = kinds.number.try_emplace({source.file, source.element, source.path},
-                                                       integer(kinds.list.size()));
-    if (is_new) kinds.list.push_back(source);
+    const auto [it, is_new] =
+        number.try_emplace({source.file, source.element, source.path}, integer(kinds.size()));
+    if (is_new) kinds.push_back(source);
     kind.push_back(it->second);
   }
   arrays.add("source_line", lines);
@@ -155,51 +153,37 @@ Kinds add_sources(PageArrays& arrays, const SegmentSet& input) {
   return kinds;
 }
 
-void write_kinds(JsonWriter& json, const Kinds& kinds) {
-  json.Key("kinds");
-  json.StartArray();
-  for (const Source& source : kinds.list) {
-    json.StartObject();
-    json.Key("file");
-    json.count(source.file);
-    json.Key("element");
-    json.text(source.element);
-    json.Key("path");
-    json.text(source.path);
-    json.EndObject();
+/// The member "page".
+auto page_member(const Check& check, const PageArrays& arrays, const std::vector<std::string>& same,
+                 const std::vector<Rational>& areas, const std::vector<Source>& kinds) {
+  using namespace json;
+  const auto entry = [](const PageArrays::Entry& e) {
+    return object(member("name", e.name), member("type", e.type), member("count", e.count),
+                  member("reference", e.reference), member("index", e.index));
+  };
+  const auto short_text = [](const Rational& area) {
+    std::string text = exact_text(area);
+    return text.size() <= kLongestArea ? text : "";
+  };
+  const auto kind = [](const Source& s) {
+    return object(member("file", s.file), member("element", s.element), member("path", s.path));
+  };
+  std::vector<std::tuple<std::size_t, std::string>> ids;
+  for (std::size_t s = 0; const Source& source : check.input.sources) {
+    if (!source.id.empty()) ids.emplace_back(s, source.id);
+    ++s;
   }
-  json.EndArray();
-}
-
-void write_ids(JsonWriter& json, const SegmentSet& input) {
-  json.Key("ids");
-  json.StartArray();
-  std::size_t index = 0;
-  for (const Source& source : input.sources) {
-    if (!source.id.empty()) {
-      json.StartArray();
-      json.count(index);
-      json.text(source.id);
-      json.EndArray();
-    }
-    ++index;
-  }
-  json.EndArray();
-}
-
-void write_areas(JsonWriter& json, const std::vector<Rational>& areas) {
-  json.Key("exact_areas");
-  json.StartArray();
-  for (const Rational& area : areas) {
-    const std::string text = exact_text(area);
-    json.text(text.size() <= kLongestArea ? text : "");
-  }
-  json.EndArray();
+  return member(
+      "page",
+      object(member("y_up", check.input.y_up), member("arrays", list(arrays.entries(), entry)),
+             member("same_incidences", same), member("exact_areas", list(areas, short_text)),
+             member("kinds", list(kinds, kind)), member("ids", std::move(ids))));
 }
 
 }  // namespace
 
 PageData page_data(const Check& check) {
+  using namespace json;
   PageArrays arrays;
   Complexes complexes(arrays, check.exact_complex);
   complexes.add("doubles", check.doubles_complex);
@@ -208,30 +192,12 @@ PageData page_data(const Check& check) {
   arrays.add("authored.area", nearest_doubles(areas));
   arrays.add("doubles.area", nearest_doubles(face_areas(check.doubles_complex)));
   arrays.add("float.area", nearest_doubles(face_areas(exact(check.answer.complex))));
-  const Kinds kinds = add_sources(arrays, check.input);
-
-  JsonWriter json;
-  json.StartObject();
-  write_check(json, check);
-  write_files(json, check.input.files);
-  write_rejected(json, check.input.rejected);
-  write_ledger(json, check.input.ledger);
-  json.Key("page");
-  json.StartObject();
-  json.Key("y_up");
-  json.Bool(check.input.y_up);
-  json.Key("arrays");
-  arrays.write_directory(json);
-  json.Key("same_incidences");
-  json.StartArray();
-  for (const std::string& name : complexes.same()) json.text(name);
-  json.EndArray();
-  write_areas(json, areas);
-  write_kinds(json, kinds);
-  write_ids(json, check.input);
-  json.EndObject();
-  json.EndObject();
-  return {json.take(), arrays.bytes()};
+  const std::vector<Source> kinds = add_sources(arrays, check.input);
+  const SegmentSet& input = check.input;
+  return {document(object(check_members(check), member("files", input.files),
+                          losses(input.rejected, input.ledger),
+                          page_member(check, arrays, complexes.same(), areas, kinds))),
+          arrays.bytes()};
 }
 
 }  // namespace plumbline

@@ -1,161 +1,109 @@
-// The trace of the published LAR pipeline as JSON, with the keys of the original's outputs.
+// The trace of LAR's inters as JSON, with the keys of the original's outputs.
 
-#include "engines/lar/show/trace_writer.hpp"
+#include "output/json/writer.hpp"
 #include "plumbline/engines/lar_show.hpp"
 
 namespace plumbline {
+namespace json {
 namespace {
 
 using namespace inters;
 
-void write_intersections(TraceWriter& json, const Trace& trace) {
-  json.member("buckets", trace.buckets);
-  json.member("intersectionPoints", trace.intersection_points);
-  std::vector<SegmentD> segments;
-  std::vector<std::vector<double>> parameters;
-  for (const Fragment& fragment : trace.fragments) {
-    segments.push_back(fragment.segment);
-    parameters.push_back(fragment.parameters);
-  }
-  json.member("frags", segments);
-  json.member("params", parameters);
+auto failure(const Failure& f) {
+  return object(member("error", f.error), member("message", f.message), member("in", f.function));
 }
 
-void write_one_complex(TraceWriter& json, const Trace& trace) {
-  json.Key("raw");
-  json.StartObject();
-  json.member("V", trace.raw.vertices);
-  json.member("EV", trace.raw.edges);
-  json.member("EV_count_with_duplicates", trace.raw_edge_count_with_duplicates);
-  json.EndObject();
-  json.Key("prune");
-  json.StartObject();
-  json.member("V", trace.prune.vertices);
-  json.member("vmap", trace.prune.vertex_map);
-  json.member("clusters", trace.prune.clusters);
-  json.member("close", trace.prune.close);
-  json.EndObject();
-  json.Key("lar");
-  json.StartObject();
-  json.member("V", trace.lar.vertices);
-  json.Key("EV");
-  json.StartArray();
-  for (const VertexPair& edge : trace.lar.edges) {
-    json.value(std::span(edge).first(edge[0] == edge[1] ? 1 : 2));
-  }
-  json.EndArray();
-  json.EndObject();
+template <class T>
+auto outcome(const Outcome<std::vector<T>>& o)
+    -> std::variant<std::span<const T>, decltype(failure(*o.failure))> {
+  if (o.value) return std::span<const T>(*o.value);
+  return failure(*o.failure);
 }
 
-void write_model(TraceWriter& json, const Model& model) {
-  json.member("V", model.vertices);
-  json.member("FV", model.faces);
-  json.member("EV", model.edges);
+auto model_members(const Model& m) {
+  return members(member("V", m.vertices), member("FV", m.faces), member("EV", m.edges));
 }
 
-void write_faces(TraceWriter& json, const Faces& faces) {
-  write_model(json, faces.model);
-  json.member("areas", faces.areas);
-  json.Key("aborted");
-  json.Bool(faces.aborted);
+auto model(const Model& m) { return object(model_members(m)); }
+
+auto face_members(const Faces& f) {
+  return members(model_members(f.model), member("areas", f.areas), member("aborted", f.aborted));
 }
 
-void write_two_complexes(TraceWriter& json, const Trace& trace) {
-  json.member("components", trace.components);
-  json.member("bridges", trace.bridges);
-  if (trace.largest) {
-    json.Key("largest");
-    json.StartObject();
-    write_faces(json, *trace.largest);
-    json.EndObject();
-  }
-  if (trace.lar_from_lines) {
-    json.Key("larFromLines");
-    json.StartObject();
-    write_model(json, *trace.lar_from_lines);
-    json.EndObject();
-  } else if (trace.components.empty()) {
-    json.Key("larFromLines");
-    json.Null();
-  }
-  if (trace.all_components) {
-    json.Key("allComponents");
-    json.StartObject();
-    write_faces(json, trace.all_components->faces);
-    json.Key("FV_interior");
-    json.StartArray();
-    for (const std::size_t f : trace.all_components->interior) {
-      json.value(trace.all_components->faces.model.faces[f]);
-    }
-    json.EndArray();
-    json.EndObject();
-  }
+auto intersections(const Trace& t) {
+  const auto segment = [](const Fragment& f) { return f.segment; };
+  const auto parameters = [](const Fragment& f) { return std::span(f.parameters); };
+  return members(member("buckets", t.buckets), member("intersectionPoints", t.intersection_points),
+                 member("frags", list(t.fragments, segment)),
+                 member("params", list(t.fragments, parameters)));
 }
 
-void write_cycles(TraceWriter& json, const Trace& trace) {
-  json.member("boundaryPolylines", trace.boundary_polylines);
-  json.member("boundaryCycles", trace.boundary_cycles);
-  if (trace.lattice) json.member("latticeArray", *trace.lattice);
-  if (trace.cells) json.member("cellsFromCycles", *trace.cells);
-  if (trace.two_complex) {
-    json.Key("twoComplex");
-    json.StartObject();
-    write_model(json, *trace.two_complex);
-    json.EndObject();
-  }
-  if (trace.bridge_edges) json.member("bridgeEdges", *trace.bridge_edges);
-  if (trace.simple_cycles) {
-    json.Key("simpleCycles");
-    json.StartObject();
-    json.member("components", trace.simple_cycles->components);
-    json.member("latticeArray", trace.simple_cycles->lattice);
-    json.member("cellsFromCycles", trace.simple_cycles->cells);
-    json.EndObject();
-  }
-  if (trace.faces_lattice) json.member("facesLattice", *trace.faces_lattice);
+auto one_complex(const Trace& t) {
+  const auto cell = [](const VertexPair& v) { return std::span(v).first(v[0] == v[1] ? 1 : 2); };
+  return members(
+      member("raw", object(member("V", t.raw.vertices), member("EV", t.raw.edges),
+                           member("EV_count_with_duplicates", t.raw_edge_count_with_duplicates))),
+      member("prune", object(member("V", t.prune.vertices), member("vmap", t.prune.vertex_map),
+                             member("clusters", t.prune.clusters), member("close", t.prune.close))),
+      member("lar", object(member("V", t.lar.vertices), member("EV", list(t.lar.edges, cell)))));
 }
 
-bool has_failed(const Trace& trace, std::string_view stage) {
-  for (const Failure& failure : trace.failures)
-    if (failure.stage == stage) return true;
-  return false;
+auto all_components(const AllComponents& all) {
+  const auto face = [&all](std::size_t f) { return all.faces.model.faces[f]; };
+  return object(face_members(all.faces), member("FV_interior", list(all.interior, face)));
 }
 
-void write_outputs(TraceWriter& json, const Trace& trace) {
-  json.member("boxes", trace.boxes);
-  if (has_failed(trace, "buckets")) return;
-  write_intersections(json, trace);
-  write_one_complex(json, trace);
-  if (has_failed(trace, "components")) return;
-  write_two_complexes(json, trace);
-  write_cycles(json, trace);
+auto two_complexes(const Trace& t) {
+  return members(
+      member("components", t.components), member("bridges", t.bridges),
+      when(t.largest, [&t] { return member("largest", object(face_members(*t.largest))); }),
+      when(t.lar_from_lines || t.components.empty(),
+           [&t] { return member("larFromLines", given(t.lar_from_lines, model)); }),
+      when(t.all_components,
+           [&t] { return member("allComponents", all_components(*t.all_components)); }));
+}
+
+auto simple_cycles(const SimpleCycles& s) {
+  return object(member("components", s.components), member("latticeArray", s.lattice),
+                member("cellsFromCycles", s.cells));
+}
+
+auto cycles(const Trace& t) {
+  return members(member("boundaryPolylines", list(t.boundary_polylines, outcome<Polyline>)),
+                 member("boundaryCycles", list(t.boundary_cycles, outcome<SignedCycle>)),
+                 when(t.lattice, [&t] { return member("latticeArray", *t.lattice); }),
+                 when(t.cells, [&t] { return member("cellsFromCycles", *t.cells); }),
+                 when(t.two_complex, [&t] { return member("twoComplex", model(*t.two_complex)); }),
+                 when(t.bridge_edges, [&t] { return member("bridgeEdges", *t.bridge_edges); }),
+                 when(t.simple_cycles,
+                      [&t] { return member("simpleCycles", simple_cycles(*t.simple_cycles)); }),
+                 when(t.faces_lattice, [&t] { return member("facesLattice", *t.faces_lattice); }));
+}
+
+bool has_output(const Trace& trace, std::string_view stage) {
+  return std::none_of(trace.failures.begin(), trace.failures.end(),
+                      [stage](const Failure& failure) { return failure.stage == stage; });
+}
+
+auto outputs(const Trace& t) {
+  return object(member("boxes", t.boxes), when(has_output(t, "buckets"), [&t] {
+                  return members(intersections(t), one_complex(t),
+                                 when(has_output(t, "components"),
+                                      [&t] { return members(two_complexes(t), cycles(t)); }));
+                }));
 }
 
 }  // namespace
+}  // namespace json
 
-std::string to_json(const Trace& trace) {
-  TraceWriter json;
-  json.StartObject();
-  json.Key("format");
-  json.text("plumbline lar 1");
-  json.Key("variant");
-  json.text("published");
-  json.member("decimals", trace.options.decimals);
-  json.member("radius", trace.options.radius);
-  json.Key("input");
-  json.StartObject();
-  json.member("lines", trace.lines);
-  json.EndObject();
-  json.Key("outputs");
-  json.StartObject();
-  write_outputs(json, trace);
-  json.EndObject();
-  json.Key("errors");
-  json.StartObject();
-  for (const Failure& failure : trace.failures) json.member(failure.stage.c_str(), failure);
-  json.EndObject();
-  json.EndObject();
-  return json.take();
+std::string to_json(const inters::Trace& trace) {
+  using namespace json;
+  const auto error = [](const inters::Failure& f) { return member(f.stage, failure(f)); };
+  return document(object(
+      member("format", "plumbline lar 1"), member("variant", "published"),
+      member("decimals", trace.options.decimals), member("radius", trace.options.radius),
+      member("input", object(member("lines", trace.lines))), member("outputs", outputs(trace)),
+      member("errors", object(each(trace.failures, error)))));
 }
 
 }  // namespace plumbline

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "output/json/writer.hpp"
+
+namespace plumbline::json {
+
+inline auto source_members(const Source& s) {
+  return members(member("file", s.file), member("line", s.line), member("column", s.column),
+                 member("element", s.element), member("id", s.id), member("path", s.path));
+}
+
+/// "rejected" and "ledger".
+Part losses(const std::vector<Rejected>& rejected, const std::vector<Replacement>& ledger);
+
+/// Where a drawing's items come from: "files", "sources", "segments", "rejected", "ledger".
+/// Documented in docs/json.md.
+Part input_members(const SegmentSet& input);
+
+}  // namespace plumbline::json

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "plumbline/geometry.hpp"
+
+/// JSON documents as values: `document(object(member("x", x), member("y", list(ys, f))))` is the
+/// text. Values are written as they are met; no tree is built of them.
+namespace plumbline::json {
+
+/// How a value keeps what it is made of: small things and temporaries itself; anything else stays
+/// where it is and must outlive the value.
+template <class T, class U = std::decay_t<T>>
+using Kept = std::conditional_t<std::is_lvalue_reference_v<T> &&
+                                    !(std::is_trivially_copyable_v<U> && sizeof(U) <= 16),
+                                const U&, U>;
+
+// What stands between the braces of an object: a member, or several.
+
+template <class Key, class T>
+struct Member {
+  Key key;
+  T value;
+};
+template <class Key, class T>
+Member<Kept<Key>, Kept<T>> member(Key&& key, T&& value) {
+  return {std::forward<Key>(key), std::forward<T>(value)};
+}
+
+template <class... Parts>
+struct Members {
+  std::tuple<Parts...> parts;
+};
+template <class... Parts>
+Members<Parts...> members(Parts... parts) {
+  return {{std::move(parts)...}};
+}
+
+/// f(), but nothing where the condition does not hold.
+template <class F>
+struct When {
+  bool is_there;
+  F f;
+};
+template <class Condition, class F>
+When<F> when(const Condition& condition, F f) {
+  return {static_cast<bool>(condition), std::move(f)};
+}
+
+/// f(item) for each item.
+template <class Range, class F>
+struct Each {
+  Range range;
+  F f;
+};
+template <std::ranges::range Range, class F>
+Each<Kept<Range>, F> each(Range&& range, F f) {
+  return {std::forward<Range>(range), std::move(f)};
+}
+
+// Values. Others are written as they are: texts, numbers (an infinite one as null), points and
+// ranges as arrays, optionals and indices as null where there is nothing.
+
+template <class... Parts>
+struct Object {
+  std::tuple<Parts...> parts;
+};
+template <class... Parts>
+Object<Parts...> object(Parts... parts) {
+  return {{std::move(parts)...}};
+}
+
+/// The array of f(item) for each item; of f(0), f(1), ... for a number of items.
+template <class Range, class F>
+struct List {
+  Range range;
+  F f;
+};
+template <std::ranges::range Range, class F>
+List<Kept<Range>, F> list(Range&& range, F f) {
+  return {std::forward<Range>(range), std::move(f)};
+}
+template <class F>
+auto list(std::size_t count, F f) {
+  return list(std::views::iota(std::size_t{0}, count), std::move(f));
+}
+
+/// f(*known), or null where nothing is known: no value of an optional, a null pointer.
+template <class Known, class F>
+auto given(const Known& known, F f) {
+  using Value = decltype(f(*known));
+  return known ? std::optional<Value>(f(*known)) : std::nullopt;
+}
+/// f(), or null where the condition does not hold.
+template <class F>
+auto given(bool condition, F f) {
+  return condition ? std::optional(f()) : std::nullopt;
+}
+
+/// The digits of a number.
+struct Digits {
+  std::string text;
+};
+
+/// A number where the value is a decimal, else a string "p/q".
+std::variant<Digits, std::string> decimal(const Rational& value);
+/// {exact, nearest}, of a point or a number.
+inline auto place(const Point& p) {
+  return object(member("exact", p), member("nearest", nearest(p)));
+}
+inline auto with_nearest(const Rational& number) {
+  return object(member("exact", number), member("nearest", nearest_double(number)));
+}
+
+}  // namespace plumbline::json
