@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
+#include "plumbline/engines/inters_show.hpp"
 #include "plumbline/engines/inters_stages.hpp"
-#include "plumbline/engines/lar_show.hpp"
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 #include "support/recorded.hpp"

@@ -5,8 +5,8 @@
 #include "engines/lar/stages/parallel.hpp"
 #include "inputs/workloads.hpp"
 #include "plumbline/engines/inters.hpp"
+#include "plumbline/engines/inters_show.hpp"
 #include "plumbline/engines/lar.hpp"
-#include "plumbline/engines/lar_show.hpp"
 #include "plumbline/output.hpp"
 
 using namespace plumbline;

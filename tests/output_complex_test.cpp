@@ -9,7 +9,11 @@
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/detail/new_file.hpp"
+#include "plumbline/engines/inters.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/pipeline.hpp"
+#include "plumbline/read.hpp"
+#include "plumbline/structure.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
@@ -191,4 +195,13 @@ TEST_CASE("a picture of a drawing whose y runs upwards is turned, that of its se
   input.y_up = true;
   CHECK_THAT(to_svg(input), Catch::Contains("M0 0L4 -3"));
   CHECK_THAT(to_svg(complex, input.y_up), Catch::Contains("M0 0L4 -3"));
+}
+
+TEST_CASE("random segments as rows are read back as the same doubles") {
+  const std::vector<SegmentD> lines = random_lines(100, 0.1, 3);
+  const fs::path file = fs::temp_directory_path() / "plumbline_output_test.lines";
+  write_file(file, to_lines(lines));
+  CHECK(inters::lines(evaluate(read(file))) == lines);
+  fs::remove(file);
+  CHECK(to_lines(std::span<const SegmentD>()).empty());
 }

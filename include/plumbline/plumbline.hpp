@@ -11,6 +11,7 @@
 #include "plumbline/engine.hpp"
 #include "plumbline/engines/files.hpp"
 #include "plumbline/engines/inters.hpp"
+#include "plumbline/engines/inters_show.hpp"
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/error.hpp"

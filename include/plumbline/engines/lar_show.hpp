@@ -3,12 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/lar.hpp"
 
 namespace plumbline {
 
-/// What a picture of the float pipeline shows.
+/// What a picture of a run of the float pipeline shows, of LAR's `arrange` or of `inters`.
 enum class LarShow {
   Buckets,     ///< the segments, in the colour of the first bucket that holds them
   Components,  ///< biconnected components in colours, bridges and dangling edges dashed
@@ -16,7 +15,7 @@ enum class LarShow {
   Explode,     ///< the same, pulled apart
   Numbers,     ///< the numbers of vertices, edges and faces
   Pruning,     ///< vertices before merging, clusters with their radii and centroids
-  // Of the faces; published: of the cells of `two_complex` where it has a value.
+  // Of the faces; inters: of the cells of `two_complex` where it has a value.
   Filled,     ///< triangulated; those whose edges cross are empty and in the second colour
   Polylines,  ///< boundaries, joined by their bridge edges
   Boundary,   ///< numbered; chosen ones filled, with the boundary of their chain
@@ -35,9 +34,5 @@ std::string to_svg(const lar::Result& result, const LarPicture& options = {});
 /// The run as JSON, every stage by the keys that the original's recorded outputs have where the
 /// stages are the same. Documented in docs/json.md.
 std::string to_json(const lar::Result& result);
-
-/// The same of the published pipeline.
-std::string to_svg(const inters::Trace& trace, const LarPicture& options = {});
-std::string to_json(const inters::Trace& trace);
 
 }  // namespace plumbline

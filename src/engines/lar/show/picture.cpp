@@ -1,6 +1,8 @@
 // Pictures of the float pipeline, as in the publication: buckets and components in colours, faces,
 // faces pulled apart, numbered cells, merged vertices, filled faces, single polylines, boundaries.
 
+#include "engines/lar/show/picture.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,30 +10,26 @@
 #include <numeric>
 
 #include "engines/lar/show/canvas.hpp"
-#include "engines/lar/show/solid.hpp"
-#include "plumbline/engines/lar_show.hpp"
+#include "plumbline/error.hpp"
 
-namespace plumbline {
+namespace plumbline::svg {
 namespace {
 
-using svg::Canvas;
-using svg::LarScene;
-
-svg::Box box_of(const LarScene& scene) {
+Box box_of(const Scene& scene) {
   FloatComplex complex;
-  for (const LarScene::Line& line : scene.lines) {
+  for (const Scene::Line& line : scene.lines) {
     complex.vertices.push_back(line.a);
     complex.vertices.push_back(line.b);
   }
   complex.vertices.insert(complex.vertices.end(), scene.vertices.begin(), scene.vertices.end());
-  return svg::bounds(complex);
+  return bounds(complex);
 }
 
 /// Middle of the outer boundary's box.
-PointD middle(const LarScene::Polygon& face) {
+PointD middle(const Scene::Polygon& face) {
   FloatComplex complex;
   complex.vertices = face.front();
-  const svg::Box box = svg::bounds(complex);
+  const Box box = bounds(complex);
   return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
 }
 
@@ -45,38 +43,38 @@ double number_size(std::size_t cells) {
   return std::min(kLargest, kShare * Canvas::kSide / std::sqrt(static_cast<double>(cells + 1)));
 }
 
-void buckets(const LarScene& scene, Canvas& canvas) {
-  for (const LarScene::Line& l : scene.lines) {
-    canvas.line(l.a, l.b, stroke(svg::colour(l.bucket)));
+void buckets(const Scene& scene, Canvas& canvas) {
+  for (const Scene::Line& l : scene.lines) {
+    canvas.line(l.a, l.b, stroke(colour(l.bucket)));
   }
 }
 
-void edges(const LarScene& scene, std::span<const std::array<VertexId, 2>> pairs, Canvas& canvas,
+void edges(const Scene& scene, std::span<const std::array<VertexId, 2>> pairs, Canvas& canvas,
            const std::string& attributes = {}) {
   for (const auto& [v, w] : pairs) {
     canvas.line(scene.vertices[v], scene.vertices[w], attributes);
   }
 }
 
-void components(const LarScene& scene, Canvas& canvas) {
+void components(const Scene& scene, Canvas& canvas) {
   for (std::size_t c = 0; c < scene.components.size(); ++c) {
-    edges(scene, scene.components[c], canvas, stroke(svg::colour(c)) + " stroke-width=\"2\"");
+    edges(scene, scene.components[c], canvas, stroke(colour(c)) + " stroke-width=\"2\"");
   }
   edges(scene, scene.bridges, canvas, " stroke-dasharray=\"4\"");
 }
 
-void faces(std::span<const LarScene::Polygon> polygons, Canvas& canvas) {
+void faces(std::span<const Scene::Polygon> polygons, Canvas& canvas) {
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    canvas.paths(polygons[f], fmt::format(" fill=\"{}\" fill-opacity=\"0.5\"", svg::colour(f)));
+    canvas.paths(polygons[f], fmt::format(" fill=\"{}\" fill-opacity=\"0.5\"", colour(f)));
   }
 }
 
 /// The faces, each moved away from the drawing's corner by the factor.
-void exploded(const LarScene& scene, double factor, Canvas& canvas) {
-  const svg::Box box = canvas.box();
+void exploded(const Scene& scene, double factor, Canvas& canvas) {
+  const Box box = canvas.box();
   canvas.show({box.low, {box.low.x + box.width() * factor, box.low.y + box.height() * factor}});
-  std::vector<LarScene::Polygon> moved = scene.faces;
-  for (LarScene::Polygon& face : moved) {
+  std::vector<Scene::Polygon> moved = scene.faces;
+  for (Scene::Polygon& face : moved) {
     const PointD from = middle(face);
     const PointD shift{(factor - 1) * (from.x - box.low.x), (factor - 1) * (from.y - box.low.y)};
     for (std::vector<PointD>& cycle : face)
@@ -85,15 +83,15 @@ void exploded(const LarScene& scene, double factor, Canvas& canvas) {
   faces(moved, canvas);
 }
 
-void numbers_of(std::span<const LarScene::Polygon> polygons, double size, Canvas& canvas) {
+void numbers_of(std::span<const Scene::Polygon> polygons, double size, Canvas& canvas) {
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    canvas.text(middle(polygons[f]), f, 1.5 * size, svg::kMark);
+    canvas.text(middle(polygons[f]), f, 1.5 * size, kMark);
   }
 }
 
 constexpr const char* kTexts = " stroke=\"none\" font-family=\"sans-serif\" text-anchor=\"middle\"";
 
-void numbers(const LarScene& scene, Canvas& canvas) {
+void numbers(const Scene& scene, Canvas& canvas) {
   constexpr const char* kEdgeInk = "#5a6b7a";
   const double size = number_size(scene.edges.size());
   faces(scene.faces, canvas);
@@ -105,65 +103,64 @@ void numbers(const LarScene& scene, Canvas& canvas) {
     canvas.text(middle(scene.vertices[v], scene.vertices[w]), e, size, kEdgeInk);
   }
   for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
-    canvas.text(scene.vertices[v], v, size, svg::kInk);
+    canvas.text(scene.vertices[v], v, size, kInk);
   }
   canvas.close_group();
 }
 
-void pruning(const LarScene& scene, Canvas& canvas) {
+void pruning(const Scene& scene, Canvas& canvas) {
   constexpr double kDot = 1.5;
   const auto filled = [](const char* ink) {
     return fmt::format(" fill=\"{}\" stroke=\"none\"", ink);
   };
-  for (const LarScene::Line& l : scene.lines) canvas.line(l.a, l.b, " stroke-opacity=\"0.3\"");
-  for (const PointD& p : scene.unpruned) canvas.circle(p, kDot, filled(svg::kInk));
+  for (const Scene::Line& l : scene.lines) canvas.line(l.a, l.b, " stroke-opacity=\"0.3\"");
+  for (const PointD& p : scene.unpruned) canvas.circle(p, kDot, filled(kInk));
   for (std::size_t c = 0; c < scene.clusters.size(); ++c) {
     for (const VertexId v : scene.clusters[c]) {
       const PointD& p = scene.unpruned[v];
       canvas.circle(p, std::max(canvas.length(scene.radius), 2 * kDot), " stroke-width=\"0.5\"");
-      canvas.line(p, scene.centroids[c], stroke(svg::kMark));
+      canvas.line(p, scene.centroids[c], stroke(kMark));
     }
-    canvas.circle(scene.centroids[c], kDot, filled(svg::kMark));
+    canvas.circle(scene.centroids[c], kDot, filled(kMark));
   }
 }
 
 /// Triangles in the colours of their faces; edges that could not be filled in the second colour.
-void filled(std::span<const LarScene::Polygon> polygons,
-            std::span<const std::vector<svg::TriangleD>> fillings, Canvas& canvas) {
+void filled(const Scene& scene, Canvas& canvas) {
+  const std::vector<Scene::Polygon>& polygons = scene.solid_faces;
+  const std::vector<std::vector<TriangleD>> fillings = scene.fillings();
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    const std::string ink = svg::colour(f);
+    const std::string ink = colour(f);
     canvas.open_group(fmt::format(" fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.3\"", ink));
-    for (const svg::TriangleD& t : fillings[f]) {
+    for (const TriangleD& t : fillings[f]) {
       canvas.paths({{{t.begin(), t.end()}}}, {});
     }
     canvas.close_group();
   }
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    canvas.paths(polygons[f], fillings[f].empty() ? stroke(svg::kMark) : std::string());
+    canvas.paths(polygons[f], fillings[f].empty() ? stroke(kMark) : std::string());
   }
 }
 
-void polylines(std::span<const svg::Bridged> faces, Canvas& canvas) {
+void polylines(std::span<const Bridged> faces, Canvas& canvas) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    canvas.paths(faces[f].polylines,
-                 fmt::format(" fill=\"{}\" fill-opacity=\"0.3\"", svg::colour(f)));
+    canvas.paths(faces[f].polylines, fmt::format(" fill=\"{}\" fill-opacity=\"0.3\"", colour(f)));
   }
-  for (const svg::Bridged& face : faces)
+  for (const Bridged& face : faces)
     for (const auto& [p, q] : face.bridges) {
-      canvas.line(p, q, stroke(svg::kMark) + " stroke-width=\"2\"");
+      canvas.line(p, q, stroke(kMark) + " stroke-width=\"2\"");
     }
 }
 
 /// Chosen faces filled, their boundary as chain in the second colour, all faces numbered.
-void boundary(const LarScene& scene, std::span<const LarScene::Polygon> polygons,
-              std::span<const std::size_t> chosen,
-              std::span<const std::array<PointD, 2>> boundary_edges, Canvas& canvas) {
+void boundary(const Scene& scene, std::span<const std::size_t> chosen, Canvas& canvas) {
+  const std::vector<Scene::Polygon>& polygons = scene.solid_faces;
   for (const std::size_t f : chosen) {
-    canvas.paths(polygons[f], fmt::format(" fill=\"{}\" stroke=\"none\"", svg::kDepthColours[1]));
+    canvas.paths(polygons[f], fmt::format(" fill=\"{}\" stroke=\"none\"", kDepthColours[1]));
   }
   edges(scene, scene.edges, canvas);
-  for (const auto& [p, q] : boundary_edges) {
-    canvas.line(p, q, stroke(svg::kMark) + " stroke-width=\"3\"");
+  for (const auto& [p, q] : scene.boundary(chosen)) {
+    canvas.line(p, q, stroke(kMark) + " stroke-width=\"3\"");
   }
   canvas.open_group(kTexts);
   numbers_of(polygons, number_size(polygons.size()), canvas);
@@ -176,8 +173,21 @@ void check(const LarPicture& options) {
               shortest_text(options.explode));
 }
 
-template <class Result>
-void draw(const Result& result, const LarPicture& options, const LarScene& scene, Canvas& canvas) {
+/// The chosen faces; all of them where none is chosen.
+std::vector<std::size_t> chosen_faces(const LarPicture& options, std::size_t count) {
+  for (const std::size_t f : options.faces) {
+    if (f < count) continue;
+    throw Error(ErrorCode::BadInput,
+                "no such face; they are numbered from 0 to the last of " + std::to_string(count),
+                {}, std::to_string(f));
+  }
+  if (!options.faces.empty()) return options.faces;
+  std::vector<std::size_t> all(count);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+void draw(const Scene& scene, const LarPicture& options, Canvas& canvas) {
   switch (options.show) {
     case LarShow::Buckets:
       return buckets(scene, canvas);
@@ -193,39 +203,21 @@ void draw(const Result& result, const LarPicture& options, const LarScene& scene
     case LarShow::Pruning:
       return pruning(scene, canvas);
     case LarShow::Filled:
-      return filled(svg::solid_faces(result), svg::fillings(result), canvas);
+      return filled(scene, canvas);
     case LarShow::Polylines:
-      return polylines(svg::bridged(result), canvas);
-    case LarShow::Boundary: {
-      const std::vector<LarScene::Polygon> polygons = svg::solid_faces(result);
-      std::vector<std::size_t> chosen = options.faces;
-      if (chosen.empty()) {
-        chosen.resize(polygons.size());
-        std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-      }
-      const auto found = svg::boundary(result, chosen);
-      return boundary(scene, polygons, chosen, found, canvas);
-    }
+      return polylines(scene.bridged(), canvas);
+    case LarShow::Boundary:
+      return boundary(scene, chosen_faces(options, scene.solid_faces.size()), canvas);
   }
-}
-
-template <class Result>
-std::string picture_of(const Result& result, const LarPicture& options) {
-  check(options);
-  const LarScene scene = svg::scene(result);
-  Canvas canvas(box_of(scene), options.y_up);
-  draw(result, options, scene, canvas);
-  return canvas.svg();
 }
 
 }  // namespace
 
-std::string to_svg(const lar::Result& result, const LarPicture& options) {
-  return picture_of(result, options);
+std::string picture(const Scene& scene, const LarPicture& options) {
+  check(options);
+  Canvas canvas(box_of(scene), options.y_up);
+  draw(scene, options, canvas);
+  return canvas.svg();
 }
 
-std::string to_svg(const inters::Trace& trace, const LarPicture& options) {
-  return picture_of(trace, options);
-}
-
-}  // namespace plumbline
+}  // namespace plumbline::svg

@@ -1,7 +1,9 @@
 // The trace of LAR's inters as JSON, with the keys of the original's outputs.
 
+#include <algorithm>
+
 #include "output/json/writer.hpp"
-#include "plumbline/engines/lar_show.hpp"
+#include "plumbline/engines/inters_show.hpp"
 
 namespace plumbline {
 namespace json {
