@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <iterator>
 
 #include "output/svg/labels.hpp"
-#include "output/svg/picture.hpp"
-#include "output/text/escape.hpp"
+#include "output/svg/panel.hpp"
+#include "output/svg/sheet.hpp"
 #include "output/text/verdict.hpp"
 #include "plumbline/output.hpp"
 
@@ -19,15 +17,9 @@ namespace {
 using svg::Box;
 using Out = std::back_insert_iterator<std::string>;
 
-// All in pixels.
-constexpr double kWidth = 1600, kMargin = 24, kHeader = 96, kLegend = 56;
-constexpr double kPanelWidth = (kWidth - 3 * kMargin) / 2;
-constexpr double kLeastPanelHeight = 240, kGreatestPanelHeight = 1200;
-constexpr double kStepsPerPixel = 1000;
-// Room around the drawing, for rings at its border; a part of its longer side.
-constexpr double kRoom = 0.05;
-// A drawing of more edges than this is drawn with thinner lines, so that it does not turn black.
-constexpr double kEdgesAtFullPen = 3000, kThinnestPen = 0.2;
+namespace sheet = svg::sheet;
+
+constexpr double kHeader = 96, kLegend = 56;  // in pixels
 
 struct Layout {
   Box content;
@@ -38,15 +30,14 @@ struct Layout {
 Layout layout(const FloatComplex& exact_rounded, const FloatComplex& float_complex) {
   const bool has_exact = !exact_rounded.vertices.empty();
   const bool has_float = !float_complex.vertices.empty();
-  Box content = svg::bounds(has_exact ? exact_rounded : float_complex);
-  if (has_exact && has_float) content = svg::hull(content, svg::bounds(float_complex));
-  content = svg::widened(content, kRoom);
-  const double height = std::clamp(kPanelWidth * content.height() / content.width(),
-                                   kLeastPanelHeight, kGreatestPanelHeight);
+  Box content = svg::bounds((has_exact ? exact_rounded : float_complex).vertices);
+  if (has_exact && has_float) content = svg::hull(content, svg::bounds(float_complex.vertices));
+  content = sheet::content(content);
+  const double height = sheet::panel_height(content);
   const auto panel_at = [&](double x) {
-    return Box{{x, kHeader}, {x + kPanelWidth, kHeader + height}};
+    return Box{{x, kHeader}, {x + sheet::kPanelWidth, kHeader + height}};
   };
-  return {content, panel_at(kMargin), panel_at(2 * kMargin + kPanelWidth),
+  return {content, panel_at(sheet::kMargin), panel_at(2 * sheet::kMargin + sheet::kPanelWidth),
           kHeader + height + kLegend};
 }
 
@@ -74,44 +65,33 @@ svg::Marks marks_of(const Comparison& comparison, const Incidences& complex,
   return marks;
 }
 
-std::string text(double x, double y, double size, const std::string& rest, std::string_view words) {
-  return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}>{}</text>\n", x, y, size, rest,
-                     xml_text(words));
-}
-
 std::string drawn_panel(const Box& box, const Layout& where, const FloatComplex& complex,
                         const svg::Marks& marks, const Check& check) {
   const Comparison& comparison = check.comparison;
-  svg::Frame frame = svg::fit(where.content, box, check.input.y_up);
-  frame.steps = kStepsPerPixel;
-  const double edges = static_cast<double>(complex.edge_count());
-  const double pen =
-      svg::pen_width(box) *
-      std::clamp(std::sqrt(kEdgesAtFullPen / std::max(edges, 1.0)), kThinnestPen, 1.0);
+  const svg::Frame frame = sheet::frame(where.content, box, check.input.y_up);
   std::vector<FindingPlace> places;
   for (std::size_t i = 0; i < comparison.findings.size(); ++i)
     if (comparison.findings[i].kind != CellKind::Complex)
       places.push_back({frame(nearest(comparison.findings[i].where)), i + 1});
-  return fmt::format(
-             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#ffffff\" "
-             "stroke=\"#c9d1d9\"/>\n",
-             box.low.x, box.low.y, box.width(), box.height()) +
-         svg::panel(complex, frame, pen, marks) + labelled_rings(places, box);
+  return sheet::ground(box) +
+         svg::panel(complex, frame, sheet::pen(box, complex.edge_count()), marks) +
+         labelled_rings(places, box);
 }
 
 std::string panel_title(const Box& box, const std::string& title, const Counts& counts) {
   const std::string numbers =
       fmt::format("V {}   E {}   F {}", counts.vertices, counts.edges, counts.faces);
-  return text(box.low.x, kHeader - 12, 18, " font-weight=\"bold\"", title) +
-         text(box.high.x, kHeader - 12, 16, " text-anchor=\"end\" xml:space=\"preserve\"", numbers);
+  return svg::text({box.low.x, kHeader - 12}, 18, " font-weight=\"bold\"", title) +
+         svg::text({box.high.x, kHeader - 12}, 16, " text-anchor=\"end\" xml:space=\"preserve\"",
+                   numbers);
 }
 
 std::string legend(const Layout& where, const Check& check) {
   const double y = where.height - kLegend / 2;
   const std::size_t deepest =
       std::max(check.comparison.exact_counts.depth, check.comparison.float_counts.depth);
-  double x = kMargin;
-  std::string svg = text(x, y + 5, 14, "", "depth");
+  double x = sheet::kMargin;
+  std::string svg = svg::text({x, y + 5}, 14, "", "depth");
   x += 52;
   for (std::size_t depth = 1; depth <= std::min(deepest, svg::kDepthColours.size()); ++depth) {
     fmt::format_to(Out(svg),
@@ -119,32 +99,29 @@ std::string legend(const Layout& where, const Check& check) {
                    "stroke-width=\"0.5\"/>\n",
                    x, y - 7, svg::kDepthColours[depth - 1], svg::kInk);
     const bool is_last_colour = depth == svg::kDepthColours.size() && depth < deepest;
-    svg += text(x + 24, y + 5, 14, "", std::to_string(depth) + (is_last_colour ? "+" : ""));
+    svg += svg::text({x + 24, y + 5}, 14, "", std::to_string(depth) + (is_last_colour ? "+" : ""));
     x += 52;
   }
   fmt::format_to(Out(svg),
                  "<path d=\"M{} {}h36\" stroke=\"{}\" stroke-width=\"1.5\" "
                  "stroke-dasharray=\"4\"/>\n",
                  x + 12, y, svg::kInk);
-  svg += text(x + 56, y + 5, 14, "", "antenna");
-  fmt::format_to(Out(svg),
-                 "<circle cx=\"{}\" cy=\"{}\" r=\"8\" fill=\"none\" stroke=\"{}\" "
-                 "stroke-width=\"1.6\"/>\n",
-                 x + 142, y, svg::kMark);
-  svg += text(x + 158, y + 5, 14, "", "finding, with its number in the report");
+  svg += svg::text({x + 56, y + 5}, 14, "", "antenna");
+  svg += svg::circle({x + 142, y}, 8,
+                     fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", svg::kMark));
+  svg += svg::text({x + 158, y + 5}, 14, "", "finding, with its number in the report");
   return svg;
 }
 
 std::string header(const Check& check, const Layout& where) {
   const Comparison& c = check.comparison;
-  std::string words = verdict(c);
-  if (!check.input.files.empty())
-    words = std::filesystem::path(check.input.files.front()).filename().string() + ": " + words;
+  std::string words = sheet::titled(check.input, verdict(c));
   if (!c.float_valid) words += "; the float result is not a valid complex";
   const std::string colour = c.agree() ? svg::kInk : svg::kMark;
-  return text(kMargin, 40, 24, " font-weight=\"bold\" fill=\"" + colour + "\"", words) +
-         text(kWidth - kMargin, 40, 16, " text-anchor=\"end\"",
-              "tolerance " + shortest_text(c.tolerance)) +
+  return svg::text({sheet::kMargin, 40}, 24, " font-weight=\"bold\" fill=\"" + colour + "\"",
+                   words) +
+         svg::text({sheet::kWidth - sheet::kMargin, 40}, 16, " text-anchor=\"end\"",
+                   "tolerance " + shortest_text(c.tolerance)) +
          panel_title(where.left, "exact", c.exact_counts) +
          panel_title(
              where.right,
@@ -159,12 +136,7 @@ std::string to_svg(const Check& check) {
   const FloatComplex exact_rounded = nearest(check.exact_complex);
   const Layout where = layout(exact_rounded, check.answer.complex);
   const Comparison& c = check.comparison;
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
-             "viewBox=\"0 0 {0} {1:.0f}\" font-family=\"DejaVu Sans, Arial, sans-serif\" "
-             "fill=\"{2}\">\n<rect width=\"{0}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n",
-             kWidth, where.height, svg::kInk) +
-         header(check, where) +
+  return sheet::open(sheet::kWidth, where.height) + header(check, where) +
          drawn_panel(where.left, where, exact_rounded,
                      marks_of(c, check.exact_complex, &Finding::exact_cells), check) +
          drawn_panel(where.right, where, check.answer.complex,

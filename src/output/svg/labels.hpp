@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "output/svg/picture.hpp"
+#include "output/svg/kit.hpp"
 
 namespace plumbline {
 

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <limits>
 
-#include "output/svg/picture.hpp"
+#include "output/svg/sheet.hpp"
 #include "plumbline/output.hpp"
 
 namespace plumbline {
@@ -130,11 +130,7 @@ std::string band(const Axis& axis, const RightRadii& radii) {
 
 std::string to_svg(const ToleranceLadder& ladder, const std::optional<RightRadii>& radii) {
   const Axis axis = axis_of(ladder);
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
-      "{1}\" font-family=\"DejaVu Sans, Arial, sans-serif\" fill=\"{2}\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      kWidth, kHeight, svg::kInk);
+  std::string svg = svg::sheet::open(kWidth, kHeight);
   if (radii) svg += band(axis, *radii);
   svg += radius_ticks(axis);
   svg += text(kLeft, 28, "start", 18,

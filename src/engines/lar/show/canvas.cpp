@@ -29,39 +29,32 @@ std::string colour(std::size_t number) {
 
 void Canvas::show(const Box& box) {
   box_ = box;
-  frame_ = fit(box, {{kMargin, kMargin}, {kSide - kMargin, kSide - kMargin}});
+  frame_ = fit(box, {{kMargin, kMargin}, {kSide - kMargin, kSide - kMargin}}, y_up_);
+  frame_.steps = kSteps;
 }
 
 void Canvas::line(const PointD& a, const PointD& b, const std::string& attributes) {
-  fmt::format_to(std::back_inserter(elements_), "<path d=\"M{}L{}\"{}/>\n", coordinates(a),
-                 coordinates(b), attributes);
+  fmt::format_to(std::back_inserter(elements_), "<path d=\"M{}L{}\"{}/>\n", coordinates(frame_(a)),
+                 coordinates(frame_(b)), attributes);
 }
 
 void Canvas::paths(std::span<const std::vector<PointD>> paths, const std::string& attributes) {
   std::string data;
-  for (const std::vector<PointD>& path : paths) {
-    char command = 'M';
-    for (const PointD& p : path) {
-      data += command + coordinates(p);
-      command = 'L';
-    }
-    data += 'Z';
+  for (std::vector<PointD> path : paths) {
+    for (PointD& p : path) p = frame_(p);
+    data += closed_path(path);
   }
   fmt::format_to(std::back_inserter(elements_), "<path{} fill-rule=\"evenodd\" d=\"{}\"/>\n",
                  attributes, data);
 }
 
 void Canvas::circle(const PointD& center, double radius, const std::string& attributes) {
-  const PointD p = place(center);
-  fmt::format_to(std::back_inserter(elements_), "<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n",
-                 shortest_text(p.x), shortest_text(p.y), shortest_text(radius), attributes);
+  elements_ += svg::circle(frame_(center), radius, attributes);
 }
 
 void Canvas::text(const PointD& at, std::size_t number, double size, const char* ink) {
-  const PointD p = place(at);
-  fmt::format_to(std::back_inserter(elements_),
-                 "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\">{}</text>\n",
-                 shortest_text(p.x), shortest_text(p.y), shortest_text(rounded(size)), ink, number);
+  elements_ += svg::text(frame_(at), rounded(size), fmt::format(" fill=\"{}\"", ink),
+                         std::to_string(number));
 }
 
 void Canvas::open_group(const std::string& attributes) { elements_ += "<g" + attributes + ">\n"; }
@@ -75,11 +68,6 @@ std::string Canvas::svg() const {
              "stroke=\"{1}\" stroke-width=\"{2}\" stroke-linecap=\"round\">\n",
              kSide, kInk, kPen) +
          elements_ + "</svg>\n";
-}
-
-PointD Canvas::place(const PointD& p) const {
-  const PointD q = frame_(p);
-  return {rounded(q.x), rounded(y_up_ ? kSide - q.y : q.y)};
 }
 
 }  // namespace plumbline::svg

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "output/svg/picture.hpp"
+#include "output/svg/kit.hpp"
 
 namespace plumbline::svg {
 
@@ -37,9 +37,6 @@ class Canvas {
   std::string svg() const;
 
  private:
-  PointD place(const PointD& p) const;
-  std::string coordinates(const PointD& p) const { return svg::coordinates(place(p)); }
-
   Box box_;
   Frame frame_;
   bool y_up_;

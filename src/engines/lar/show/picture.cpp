@@ -16,20 +16,17 @@ namespace plumbline::svg {
 namespace {
 
 Box box_of(const Scene& scene) {
-  FloatComplex complex;
+  std::vector<PointD> points = scene.vertices;
   for (const Scene::Line& line : scene.lines) {
-    complex.vertices.push_back(line.a);
-    complex.vertices.push_back(line.b);
+    points.push_back(line.a);
+    points.push_back(line.b);
   }
-  complex.vertices.insert(complex.vertices.end(), scene.vertices.begin(), scene.vertices.end());
-  return bounds(complex);
+  return bounds(points);
 }
 
 /// Middle of the outer boundary's box.
 PointD middle(const Scene::Polygon& face) {
-  FloatComplex complex;
-  complex.vertices = face.front();
-  const Box box = bounds(complex);
+  const Box box = bounds(face.front());
   return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
-#include "plumbline/complex.hpp"
+#include "plumbline/geometry.hpp"
 
 namespace plumbline::svg {
 
@@ -27,9 +28,9 @@ struct Box {
 
 /// The least box around both boxes.
 Box hull(const Box& a, const Box& b);
-/// The box of the vertices. Degenerate: no vertex gives the unit square; a box of no extent (or
-/// below 1e-290) is widened to one.
-Box bounds(const FloatComplex& complex);
+/// The box of the points. Degenerate: no point gives the unit square; a box of no extent (or below
+/// 1e-290) is widened to one.
+Box bounds(std::span<const PointD> points);
 /// The box, wider on each side by `fraction` of its longer side.
 Box widened(const Box& box, double fraction);
 
@@ -44,6 +45,7 @@ struct Frame {
   bool y_up = false;  ///< whether the drawing's y runs upwards; the picture's never does
 
   PointD operator()(const PointD& p) const;
+  Box operator()(const Box& box) const;
 };
 
 /// The frame that shows `content` as large as possible in the middle of `panel`.
@@ -52,21 +54,19 @@ Frame fit(const Box& content, const Box& panel, bool y_up = false);
 /// "x y" with the shortest decimals that read back as the same doubles.
 std::string coordinates(const PointD& p);
 
-/// Cells drawn in the second colour.
-struct Marks {
-  std::vector<FaceId> faces;
-  std::vector<EdgeId> edges;
-  std::vector<VertexId> vertices;
-};
+/// "M...L...Z": a closed path through the points; "" for none.
+std::string closed_path(std::span<const PointD> points);
+
+// Elements, a line each. Attributes begin with a blank.
+
+/// The root of a picture in the drawing's own coordinates.
+std::string open_drawing(const Box& box);
+std::string circle(const PointD& center, double radius, const std::string& attributes);
+/// The words are escaped.
+std::string text(const PointD& at, double size, const std::string& attributes,
+                 std::string_view words);
 
 /// The width of an edge's line that suits a picture of this box (in the same units).
 double pen_width(const Box& box);
-
-/// The complex as SVG elements: faces filled by depth (the unbounded face not; holes are cut out),
-/// edges as thin lines, antennas dashed, isolated vertices as dots, marked cells on top in the
-/// second colour. y runs downwards, as in the drawing. **Rounded**. Requires: `canonical` was
-/// called, finite coordinates; the complex need not be valid. Cost: O(V + E + F).
-std::string panel(const FloatComplex& complex, const Frame& frame, double pen,
-                  const Marks& marks = {});
 
 }  // namespace plumbline::svg

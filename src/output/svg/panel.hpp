@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/svg/kit.hpp"
+#include "plumbline/complex.hpp"
+
+namespace plumbline::svg {
+
+/// Cells drawn in the second colour.
+struct Marks {
+  std::vector<FaceId> faces;
+  std::vector<EdgeId> edges;
+  std::vector<VertexId> vertices;
+};
+
+/// The complex as SVG elements: faces filled by depth (the unbounded face not; holes are cut out),
+/// edges as thin lines, antennas dashed, isolated vertices as dots, marked cells on top in the
+/// second colour. y runs downwards, as in the drawing. **Rounded**. Requires: `canonical` was
+/// called, finite coordinates; the complex need not be valid. Cost: O(V + E + F).
+std::string panel(const FloatComplex& complex, const Frame& frame, double pen,
+                  const Marks& marks = {});
+
+}  // namespace plumbline::svg
