@@ -1,8 +1,11 @@
-// Matches faces by their outer boundaries, and the rest by what they cover.
+// Matches faces by their outer boundaries, and the rest by what they cover. Each step gives groups
+// of faces that correspond; the next one goes on with the faces that are in no group yet.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 #include "compare/locate_faces.hpp"
 #include "compare/overlay.hpp"
@@ -13,10 +16,101 @@ namespace plumbline::compare_steps {
 namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+using Groups = std::vector<Group>;
+/// The faces of both sides that are in no group, ascending.
+using OpenFaces = Both<std::vector<std::size_t>>;
+
+OpenFaces faces_without(const Sides& sides, const Groups& groups) {
+  OpenFaces open;
+  for (const Side side : kBothSides) {
+    std::vector<bool> has_group(sides[side].face_count());
+    for (const Group& group : groups)
+      for (const std::size_t f : group[side]) has_group[f] = true;
+    for (std::size_t f = 0; f < has_group.size(); ++f)
+      if (!has_group[f]) open[side].push_back(f);
+  }
+  return open;
+}
+
+bool has_both_sides(const Group& group) { return !group[Exact].empty() && !group[Float].empty(); }
+
+void append(Groups& groups, const Groups& more) {
+  std::copy_if(more.begin(), more.end(), std::back_inserter(groups), has_both_sides);
+}
 
 /// A cell of the side and one of the other side, the exact one first.
 std::pair<std::size_t, std::size_t> pair_of(Side side, std::size_t here, std::size_t there) {
   return side == Exact ? std::pair(here, there) : std::pair(there, here);
+}
+
+/// Pairs of open faces whose outer boundaries are the same, but for merged and split cells. Exact
+/// faces first, so that pairs with equal boundaries come in their order.
+Pairs boundary_pairs(const Sides& sides, const CycleMatch& cycles, const OpenFaces& open) {
+  Pairs result;
+  for (const Side side : kBothSides)
+    for (const std::size_t f : open[side]) {
+      const CycleId cycle = cycles.same[side][sides[side].face_outer[f]];
+      if (!cycle.valid()) continue;
+      const ExactComplex& others = sides[other(side)];
+      const std::size_t g = others.cycle_face[cycle];
+      const auto& open_there = open[other(side)];
+      const bool is_open = std::binary_search(open_there.begin(), open_there.end(), g);
+      if (is_open && others.face_outer[g] == cycle) result.push_back(pair_of(side, f, g));
+    }
+  return result;
+}
+
+/// The faces with the same outer boundary, edge by edge, as groups of one face of each side.
+Groups same_boundaries(const Sides& sides, const CycleMatch& cycles, const OpenFaces& open) {
+  Groups result;
+  Both<std::vector<bool>> has_group{std::vector<bool>(sides[Exact].face_count()),
+                                    std::vector<bool>(sides[Float].face_count())};
+  for (const auto& [f, g] : boundary_pairs(sides, cycles, open)) {
+    if (!cycles.is_one_to_one[sides[Exact].face_outer[f]]) continue;
+    if (has_group[Exact][f] || has_group[Float][g]) continue;
+    has_group[Exact][f] = has_group[Float][g] = true;
+    result.push_back({{{f}, {g}}});
+  }
+  return result;
+}
+
+/// How the open faces overlap: not at all where one side has none. Nothing where `overlay` gives
+/// nothing: then faces correspond by their boundaries only.
+std::optional<Overlaps> overlaps_of(const Sides& sides, const OpenFaces& open) {
+  if (open[Exact].empty() || open[Float].empty()) return Overlaps({});
+  std::optional<std::vector<Region>> regions = overlay(sides, open);
+  if (!regions) return std::nullopt;
+  return Overlaps(std::move(*regions));
+}
+
+/// A point inside a face, and the face of the other side there; invalid if there is none.
+struct Place {
+  Point inside;
+  FaceId there;
+};
+using Places = Both<std::map<std::size_t, Place>>;  ///< by face
+
+/// Locates a point inside each open face on the other side. Those without interior are left out,
+/// which are in an invalid complex only.
+Places places_of(const Sides& sides, const OpenFaces& open, bool float_is_valid) {
+  Places places;
+  for (const Side side : kBothSides) {
+    std::vector<std::size_t> faces;
+    std::vector<Point> points;
+    for (const std::size_t f : open[side]) {
+      try {
+        points.push_back(interior_point(sides[side], FaceId(f)));
+      } catch (const Error&) {
+        if (side == Exact || float_is_valid) throw;
+        continue;
+      }
+      faces.push_back(f);
+    }
+    const std::vector<FaceId> there = locate_all(sides[other(side)], points);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      places[side].emplace(faces[i], Place{points[i], there[i]});
+  }
+  return places;
 }
 
 Rational face_area(const ExactComplex& complex, FaceId f) {
@@ -33,184 +127,43 @@ Rational face_area(const ExactComplex& complex, FaceId f) {
   return twice / 2;
 }
 
-class FaceMatcher {
- public:
-  FaceMatcher(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
-              const CycleMatch& cycles, bool float_is_valid)
-      : sides_(sides),
-        vertices_(vertices),
-        edges_(edges),
-        cycles_(cycles),
-        float_is_valid_(float_is_valid) {
-    for (const Side side : kBothSides) {
-      const std::size_t count = sides[side].face_count();
-      result_.match[side].resize(count);
-      result_.group[side].assign(count, kNoGroup);
-      inside_[side].resize(count);
-      lies_in_[side].resize(count);
-    }
-  }
-
-  FaceMatch run() {
-    join({{{kUnbounded}, {kUnbounded}}});
-    result_.same = 1;
-    match_same_boundaries();
-    overlay_rest();
-    account_for_groups(boundary_claims());
-    const Pairs pairs = overlaps_.pairs({open_faces(Exact), open_faces(Float)});
-    locate_open_faces();
-    account_for_groups(pairs);
-    return std::move(result_);
-  }
-
- private:
-  std::vector<std::size_t> open_faces(Side side) const;
-  void match_same_boundaries();
-  Pairs boundary_claims() const;
-  void overlay_rest();
-  void locate_open_faces();
-  std::optional<Rational> area_in_dispute(const Group& group) const;
-  void account_for_groups(const Pairs& relation);
-  /// Gives the faces of a group their common number, and their match where it is one to one.
-  void join(const Group& group);
-  void report(const Group& group);
-  std::string message(const Group& group) const;
-  std::string note(Side side, FaceId f) const;
-  /// Earlier findings that explain a disagreement, and the edges that they are about.
-  struct Cause {
-    Numbers numbers;
-    Both<std::vector<EdgeId>> edges;
-  };
-  Cause cause(const Group& group) const;
-  Point place_in(Side side, FaceId f) const;
-
-  const Sides& sides_;
-  const VertexMatch& vertices_;
-  const EdgeMatch& edges_;
-  const CycleMatch& cycles_;
-  const bool float_is_valid_;
-  Both<std::vector<std::optional<Point>>> inside_;  ///< interior points, where they were asked for
-  Both<std::vector<FaceId>> lies_in_;               ///< faces of the other side at these points
-  Overlaps overlaps_{{}};
-  bool is_overlaid_ = true;  ///< if not, faces correspond by their boundaries only
-  FaceMatch result_;
-  std::size_t group_count_ = 0;
-  bool is_last_step_ = false;
-};
-
-void FaceMatcher::join(const Group& group) {
-  for (const Side side : kBothSides)
-    for (const std::size_t f : group[side]) result_.group[side][f] = group_count_;
-  ++group_count_;
-  if (group[Exact].size() != 1 || group[Float].size() != 1) return;
-  result_.match[Exact][group[Exact][0]] = FaceId(group[Float][0]);
-  result_.match[Float][group[Float][0]] = FaceId(group[Exact][0]);
-}
-
-std::vector<std::size_t> FaceMatcher::open_faces(Side side) const {
-  std::vector<std::size_t> result;
-  for (std::size_t f = 0; f < sides_[side].face_count(); ++f)
-    if (result_.group[side][f] == kNoGroup) result.push_back(f);
-  return result;
-}
-
-/// Pairs of faces without a group whose outer boundaries are the same, but for merged and split
-/// cells. Exact faces first, so that pairs with equal boundaries come in their order.
-Pairs FaceMatcher::boundary_claims() const {
-  Pairs result;
-  for (const Side side : kBothSides)
-    for (const std::size_t f : open_faces(side)) {
-      const CycleId cycle = cycles_.same[side][sides_[side].face_outer[f]];
-      if (!cycle.valid()) continue;
-      const ExactComplex& others = sides_[other(side)];
-      const FaceId g = others.cycle_face[cycle];
-      if (!g.valid() || g == kUnbounded || others.face_outer[g] != cycle) continue;
-      if (result_.group[other(side)][g] == kNoGroup) result.push_back(pair_of(side, f, g));
-    }
-  return result;
-}
-
-void FaceMatcher::match_same_boundaries() {
-  for (const auto& [f, g] : boundary_claims()) {
-    if (!cycles_.is_one_to_one[sides_[Exact].face_outer[f]]) continue;
-    if (result_.group[Exact][f] != kNoGroup || result_.group[Float][g] != kNoGroup) continue;
-    join({{{f}, {g}}});
-    ++result_.same;
-  }
-}
-
-/// Overlays the faces that have no counterpart so far. Where one side has none, nothing overlaps.
-void FaceMatcher::overlay_rest() {
-  const Both<std::vector<std::size_t>> faces{open_faces(Exact), open_faces(Float)};
-  if (faces[Exact].empty() || faces[Float].empty()) return;
-  if (auto regions = overlay(sides_, faces))
-    overlaps_ = Overlaps(std::move(*regions));
-  else
-    is_overlaid_ = false;
-}
-
-/// Locates an interior point of each face without a group on the other side.
-void FaceMatcher::locate_open_faces() {
-  is_last_step_ = true;
-  for (const Side side : kBothSides) {
-    std::vector<FaceId> faces;
-    std::vector<Point> points;
-    for (const std::size_t f : open_faces(side)) {
-      try {
-        inside_[side][f] = interior_point(sides_[side], FaceId(f));
-      } catch (const Error&) {
-        // Only in an invalid complex, where a face can be without interior; `note` says so.
-        if (side == Exact || float_is_valid_) throw;
-        continue;
-      }
-      faces.emplace_back(f);
-      points.push_back(*inside_[side][f]);
-    }
-    const std::vector<FaceId> found = locate_all(sides_[other(side)], points);
-    for (std::size_t i = 0; i < faces.size(); ++i) lies_in_[side][faces[i]] = found[i];
-  }
-}
-
 /// The area of the symmetric difference; that of a face on its own is by the shoelace formula.
-std::optional<Rational> FaceMatcher::area_in_dispute(const Group& group) const {
-  if (!group[Exact].empty() && !group[Float].empty()) {
-    if (!is_overlaid_) return std::nullopt;
-    return overlaps_.symmetric_difference(group);
+std::optional<Rational> area_in_dispute(const Sides& sides, const std::optional<Overlaps>& overlaps,
+                                        const Group& group) {
+  if (has_both_sides(group)) {
+    if (!overlaps) return std::nullopt;
+    return overlaps->symmetric_difference(group);
   }
   Rational area = 0;
   for (const Side side : kBothSides)
-    for (const std::size_t f : group[side]) area += abs(face_area(sides_[side], FaceId(f)));
+    for (const std::size_t f : group[side]) area += abs(face_area(sides[side], FaceId(f)));
   return area;
 }
 
-/// Joins the groups of the relation and reports them. In the last step also the faces that
-/// correspond to none.
-void FaceMatcher::account_for_groups(const Pairs& relation) {
-  for (const Group& group : connected_groups({open_faces(Exact), open_faces(Float)}, relation)) {
-    const bool is_alone = group[Exact].empty() || group[Float].empty();
-    if (is_alone && !is_last_step_) continue;
-    if (!is_alone) join(group);
-    report(group);
-  }
-}
+/// Earlier findings that explain a disagreement, and the edges that they are about.
+struct Cause {
+  Numbers numbers;
+  Both<std::vector<EdgeId>> edges;
+};
 
 /// By the edges of the outer boundaries that disagree; where there are none, by the vertices (two
 /// vertices that became one can close a face or take it apart).
-FaceMatcher::Cause FaceMatcher::cause(const Group& group) const {
+Cause cause_of(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
+               const Group& group) {
   Cause by_edges, by_vertices, unknown;
   for (const Side side : kBothSides)
     for (const std::size_t f : group[side])
-      for (const HalfedgeId h : sides_[side].cycles[sides_[side].face_outer[f]]) {
+      for (const HalfedgeId h : sides[side].cycles[sides[side].face_outer[f]]) {
         const EdgeId e = edge_of(h);
         unknown.edges[side].push_back(e);
-        if (edges_.number[side][e] != 0) {
-          by_edges.numbers.push_back(edges_.number[side][e]);
+        if (edges.number[side][e] != 0) {
+          by_edges.numbers.push_back(edges.number[side][e]);
           by_edges.edges[side].push_back(e);
         }
-        const VertexId v = sides_[side].origin(h);
-        if (vertices_.number[side][v] != 0) {
-          by_vertices.numbers.push_back(vertices_.number[side][v]);
-          for (const HalfedgeId out : sides_.outgoing[side][v])
+        const VertexId v = sides[side].origin(h);
+        if (vertices.number[side][v] != 0) {
+          by_vertices.numbers.push_back(vertices.number[side][v]);
+          for (const HalfedgeId out : sides.outgoing[side][v])
             by_vertices.edges[side].push_back(edge_of(out));
         }
       }
@@ -219,16 +172,15 @@ FaceMatcher::Cause FaceMatcher::cause(const Group& group) const {
                                         : unknown;
 }
 
-Point FaceMatcher::place_in(Side side, FaceId f) const {
-  if (inside_[side][f]) return *inside_[side][f];
+Point place_in(const ExactComplex& complex, FaceId f) {
   try {
-    return interior_point(sides_[side], f);
+    return interior_point(complex, f);
   } catch (const Error&) {
-    return midpoint(sides_[side], edge_of(sides_[side].cycles[sides_[side].face_outer[f]].front()));
+    return midpoint(complex, edge_of(complex.cycles[complex.face_outer[f]].front()));
   }
 }
 
-std::string FaceMatcher::message(const Group& group) const {
+std::string message_of(const Group& group) {
   const std::size_t m = group[Exact].size(), n = group[Float].size();
   if (n == 0) return "an exact face is missing from the float result";
   if (m == 0) return "a float face has no exact counterpart";
@@ -238,16 +190,19 @@ std::string FaceMatcher::message(const Group& group) const {
 }
 
 /// Where a face that has no counterpart lies.
-std::string FaceMatcher::note(Side side, FaceId f) const {
-  if (!inside_[side][f]) return " (no interior point could be found in the invalid complex)";
-  const FaceId g = lies_in_[side][f];
+std::string note(const Places& places, Side side, std::size_t f) {
+  const auto place = places[side].find(f);
+  if (place == places[side].end())
+    return " (no interior point could be found in the invalid complex)";
+  const FaceId g = place->second.there;
   if (!g.valid()) return fmt::format("; its place is in no {} face", name(other(side)));
   return g == kUnbounded ? fmt::format("; its place is in the unbounded {} face", name(other(side)))
                          : fmt::format("; its place is in {} face {}", name(other(side)),
                                        static_cast<std::size_t>(g));
 }
 
-void FaceMatcher::report(const Group& group) {
+Finding finding_about(const Sides& sides, const Group& group, std::optional<Rational> area,
+                      Cause cause, const Places& places) {
   Finding finding;
   finding.kind = CellKind::Face;
   const std::size_t m = group[Exact].size(), n = group[Float].size();
@@ -256,25 +211,67 @@ void FaceMatcher::report(const Group& group) {
                          : m == n ? Disagreement::Reshaped
                          : m > n  ? Disagreement::Merged
                                   : Disagreement::Split;
-  finding.message = message(group);
-  Cause why = cause(group);
-  finding.segments = joined(segments_of(sides_[Exact], why.edges[Exact]),
-                            segments_of(sides_[Float], why.edges[Float]));
+  finding.message = message_of(group);
+  finding.segments = joined(segments_of(sides[Exact], cause.edges[Exact]),
+                            segments_of(sides[Float], cause.edges[Float]));
   for (const Side side : kBothSides) cells(finding, side) = group[side];
-  finding.area = area_in_dispute(group);
+  finding.area = std::move(area);
   const Side side = m == 0 || m < n ? Float : Exact;
-  const FaceId last(group[side].back());
-  finding.where = place_in(side, last);
-  if (m == 0 || n == 0) finding.message += note(side, last);
-  add_causes(finding, std::move(why.numbers));
-  result_.findings.push_back(std::move(finding));
+  const std::size_t last = group[side].back();
+  const auto place = places[side].find(last);
+  finding.where =
+      place != places[side].end() ? place->second.inside : place_in(sides[side], FaceId(last));
+  if (m == 0 || n == 0) finding.message += note(places, side, last);
+  add_causes(finding, std::move(cause.numbers));
+  return finding;
+}
+
+/// Numbers the groups; where one is one to one, its faces match.
+FaceMatch numbered(const Sides& sides, const Groups& groups) {
+  FaceMatch result;
+  for (const Side side : kBothSides) {
+    result.match[side].resize(sides[side].face_count());
+    result.group[side].assign(sides[side].face_count(), kNoGroup);
+  }
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const Group& group = groups[i];
+    for (const Side side : kBothSides)
+      for (const std::size_t f : group[side]) result.group[side][f] = i;
+    if (group[Exact].size() != 1 || group[Float].size() != 1) continue;
+    result.match[Exact][group[Exact][0]] = FaceId(group[Float][0]);
+    result.match[Float][group[Float][0]] = FaceId(group[Exact][0]);
+  }
+  return result;
 }
 
 }  // namespace
 
 FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
                       const CycleMatch& cycles, bool float_is_valid) {
-  return FaceMatcher(sides, vertices, edges, cycles, float_is_valid).run();
+  Groups groups{{{{kUnbounded}, {kUnbounded}}}};
+  append(groups, same_boundaries(sides, cycles, faces_without(sides, groups)));
+  const std::size_t same = groups.size();
+
+  OpenFaces open = faces_without(sides, groups);
+  const std::optional<Overlaps> overlaps = overlaps_of(sides, open);
+  Groups reshaped;
+  append(reshaped, connected_groups(open, boundary_pairs(sides, cycles, open)));
+  append(groups, reshaped);
+
+  open = faces_without(sides, groups);
+  const Places places = places_of(sides, open, float_is_valid);
+  const Groups rest = connected_groups(open, overlaps ? overlaps->pairs(open) : Pairs());
+  append(groups, rest);  // but for the faces that correspond to none
+
+  FaceMatch result = numbered(sides, groups);
+  result.same = same;
+  const auto report = [&](const Group& group) {
+    result.findings.push_back(finding_about(sides, group, area_in_dispute(sides, overlaps, group),
+                                            cause_of(sides, vertices, edges, group), places));
+  };
+  std::for_each(reshaped.begin(), reshaped.end(), report);
+  std::for_each(rest.begin(), rest.end(), report);
+  return result;
 }
 
 }  // namespace plumbline::compare_steps
