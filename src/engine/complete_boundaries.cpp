@@ -51,135 +51,157 @@ std::vector<Cycle> walks(const std::vector<HalfedgeId>& next) {
   return result;
 }
 
-class Completion {
- public:
-  explicit Completion(const FloatComplex& given)
-      : given_(given),
-        exact_(exact(given)),
-        next_(clockwise_successors(exact_)),
-        walks_(walks(next_)),
-        walk_of_(next_.size()),
-        face_(next_.size()),
-        boundary_(given.face_count()),
-        extra_holes_(given.face_count()),
-        isolated_(given.face_count()),
-        around_(walks_.size()) {
-    for (std::size_t i = 0; i < walks_.size(); ++i) {
-      for (const HalfedgeId h : walks_[i]) walk_of_[h] = i;
+/// What is given, as a graph in the plane with its true cycles.
+struct Graph {
+  ExactComplex exact;
+  std::vector<HalfedgeId> next;      ///< per halfedge, along its walk
+  std::vector<Cycle> walks;          ///< the true cycles
+  std::vector<std::size_t> walk_of;  ///< per halfedge
+
+  bool is_tree(const Cycle& walk) const {
+    return std::all_of(walk.begin(), walk.end(),
+                       [&](HalfedgeId h) { return walk_of[twin(h)] == walk_of[h]; });
+  }
+  Rational twice_area(const Cycle& cycle) const {
+    Rational sum = 0;
+    for (const HalfedgeId h : cycle) {
+      const Point &p = exact.vertices[exact.origin(h)], &q = exact.vertices[exact.target(h)];
+      sum += p.x * q.y - q.x * p.y;
     }
+    return sum;
   }
-
-  FloatComplex run() {
-    take_claims();
-    for (std::size_t i = 0; i < walks_.size(); ++i) settle(i);
-    place_components();
-    return result();
-  }
-
- private:
-  void take_claims();
-  void settle(std::size_t walk);
-  void place_components();
-  bool is_tree(const Cycle& walk) const;
-  Rational twice_area(const Cycle& cycle) const;
-  std::optional<std::vector<Cycle>> relinked(FaceId f) const;
-  FloatComplex result() const;
-
-  const FloatComplex& given_;
-  const ExactComplex exact_;
-  const std::vector<HalfedgeId> next_;
-  const std::vector<Cycle> walks_;
-  std::vector<std::size_t> walk_of_;  ///< per halfedge
-  std::vector<FaceId> face_;     ///< per halfedge: the face that claims it, the last of several
-  std::vector<Cycle> boundary_;  ///< per face all that it claims, antennas too
-  std::vector<std::vector<std::size_t>> extra_holes_;  ///< per face: walks
-  std::vector<std::vector<VertexId>> isolated_;        ///< per face
-  std::vector<std::size_t> open_;                      ///< walks that nobody claims any of
-  std::vector<FaceId> around_;  ///< per open walk the face that it lies in; invalid: a gap
 };
 
-void Completion::take_claims() {
+Graph graph_of(const FloatComplex& given) {
+  Graph graph;
+  graph.exact = exact(given);
+  graph.next = clockwise_successors(graph.exact);
+  graph.walks = walks(graph.next);
+  graph.walk_of.resize(graph.next.size());
+  for (std::size_t i = 0; i < graph.walks.size(); ++i) {
+    for (const HalfedgeId h : graph.walks[i]) graph.walk_of[h] = i;
+  }
+  return graph;
+}
+
+struct Claims {
+  std::vector<FaceId> face;     ///< per halfedge: the face that claims it, the last of several
+  std::vector<Cycle> boundary;  ///< per face all that it claims
+};
+
+Claims claims_of(const FloatComplex& given) {
+  Claims claims{std::vector<FaceId>(2 * given.edge_count()),
+                std::vector<Cycle>(given.face_count())};
   const auto claim = [&](FaceId f, CycleId cycle) {
-    for (const HalfedgeId h : given_.cycles[cycle]) {
-      face_[h] = f;
-      boundary_[f].push_back(h);
+    for (const HalfedgeId h : given.cycles[cycle]) {
+      claims.face[h] = f;
+      claims.boundary[f].push_back(h);
     }
   };
-  for (std::size_t f = 1; f < given_.face_count(); ++f) {
-    claim(FaceId(f), given_.face_outer[f]);
-    for (const CycleId hole : given_.face_holes[f]) claim(FaceId(f), hole);
+  for (std::size_t f = 1; f < given.face_count(); ++f) {
+    claim(FaceId(f), given.face_outer[f]);
+    for (const CycleId hole : given.face_holes[f]) claim(FaceId(f), hole);
   }
+  return claims;
 }
 
-/// A walk is open, or one face claims it but for antennas, which the face is given; else what
-/// nobody claims of it stays so.
-void Completion::settle(std::size_t walk) {
+/// The faces that claim halfedges of the walk, ascending, each once.
+std::vector<FaceId> claimers_of(const Cycle& walk, const Claims& claims) {
   std::vector<FaceId> claimers;
-  Cycle unclaimed;
-  for (const HalfedgeId h : walks_[walk]) {
-    if (!face_[h].valid())
-      unclaimed.push_back(h);
-    else if (claimers.empty() || claimers.back() != face_[h])
-      claimers.push_back(face_[h]);
+  for (const HalfedgeId h : walk) {
+    const FaceId f = claims.face[h];
+    if (f.valid() && (claimers.empty() || claimers.back() != f)) claimers.push_back(f);
   }
-  if (claimers.empty()) return open_.push_back(walk);
   std::sort(claimers.begin(), claimers.end());
-  if (claimers.front() != claimers.back()) return;
-  const bool are_antennas = std::all_of(unclaimed.begin(), unclaimed.end(), [&](HalfedgeId h) {
-    return walk_of_[twin(h)] == walk && !face_[twin(h)].valid();
-  });
-  if (!are_antennas) return;
-  for (const HalfedgeId h : unclaimed) boundary_[claimers.front()].push_back(h);
-  for (const HalfedgeId h : unclaimed) face_[h] = claimers.front();
+  claimers.erase(std::unique(claimers.begin(), claimers.end()), claimers.end());
+  return claimers;
 }
 
-bool Completion::is_tree(const Cycle& walk) const {
-  return std::all_of(walk.begin(), walk.end(),
-                     [&](HalfedgeId h) { return walk_of_[twin(h)] == walk_of_[h]; });
-}
-
-Rational Completion::twice_area(const Cycle& cycle) const {
-  Rational sum = 0;
-  for (const HalfedgeId h : cycle) {
-    const Point &p = exact_.vertices[exact_.origin(h)], &q = exact_.vertices[exact_.target(h)];
-    sum += p.x * q.y - q.x * p.y;
+/// The walks that nobody claims any of.
+std::vector<std::size_t> open_walks(const Graph& graph, const Claims& claims) {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < graph.walks.size(); ++i) {
+    if (claimers_of(graph.walks[i], claims).empty()) open.push_back(i);
   }
-  return sum;
+  return open;
 }
+
+/// Where one face claims a walk but for antennas, it is given the antennas; what nobody claims of
+/// other walks stays so.
+Claims with_antennas(const Graph& graph, Claims claims) {
+  for (std::size_t i = 0; i < graph.walks.size(); ++i) {
+    const std::vector<FaceId> claimers = claimers_of(graph.walks[i], claims);
+    if (claimers.size() != 1) continue;
+    Cycle unclaimed;
+    for (const HalfedgeId h : graph.walks[i]) {
+      if (!claims.face[h].valid()) unclaimed.push_back(h);
+    }
+    const bool are_antennas = std::all_of(unclaimed.begin(), unclaimed.end(), [&](HalfedgeId h) {
+      return graph.walk_of[twin(h)] == i && !claims.face[twin(h)].valid();
+    });
+    if (!are_antennas) continue;
+    for (const HalfedgeId h : unclaimed) {
+      claims.boundary[claimers.front()].push_back(h);
+      claims.face[h] = claimers.front();
+    }
+  }
+  return claims;
+}
+
+/// Per component the open walks around it.
+std::vector<std::vector<std::size_t>> outlines_of(const Graph& graph,
+                                                  const std::vector<std::size_t>& open) {
+  std::vector<std::vector<std::size_t>> outlines(graph.exact.component_count());
+  for (const std::size_t i : open) {
+    const Cycle& walk = graph.walks[i];
+    if (!graph.is_tree(walk) && graph.twice_area(walk) > 0) continue;  // a gap
+    outlines[graph.exact.vertex_component[graph.exact.origin(walk.front())]].push_back(i);
+  }
+  return outlines;
+}
+
+/// What lies in each face that nobody claims.
+struct Inside {
+  std::vector<std::vector<std::size_t>> holes;  ///< per face: walks
+  std::vector<std::vector<VertexId>> isolated;  ///< per face
+};
 
 /// Components come by their least vertices, so what is below the next one has been placed.
-void Completion::place_components() {
-  std::vector<std::vector<std::size_t>> outlines(exact_.component_count());
-  for (const std::size_t walk : open_) {
-    if (!is_tree(walks_[walk]) && twice_area(walks_[walk]) > 0) continue;  // a gap
-    outlines[exact_.vertex_component[exact_.origin(walks_[walk].front())]].push_back(walk);
-  }
-  std::vector<bool> has_edge(exact_.vertices.size());
-  for (const Edge& e : exact_.edges) has_edge[e.tail] = has_edge[e.head] = true;
-  ActiveEdges edges(exact_);
-  const std::vector<VertexId> least = least_vertices(exact_);
+Inside placed_components(const Graph& graph, const Claims& claims,
+                         const std::vector<std::size_t>& open) {
+  const ExactComplex& c = graph.exact;
+  const std::vector<std::vector<std::size_t>> outlines = outlines_of(graph, open);
+  Inside inside;
+  inside.holes.resize(claims.boundary.size());
+  inside.isolated.resize(claims.boundary.size());
+  // Per open walk the face that it lies in; invalid: a gap.
+  std::vector<FaceId> around(graph.walks.size());
+  std::vector<bool> has_edge(c.vertices.size());
+  for (const Edge& e : c.edges) has_edge[e.tail] = has_edge[e.head] = true;
+  ActiveEdges edges(c);
+  const std::vector<VertexId> least = least_vertices(c);
   for (std::size_t k = 0; k < least.size(); ++k) {
     if (has_edge[least[k]] && outlines[k].empty()) continue;
-    edges.advance(exact_.vertices[least[k]].x);
+    edges.advance(c.vertices[least[k]].x);
     const std::optional<EdgeId> below = edges.below(least[k]);
     FaceId face = kUnbounded;
     if (below) {
       const HalfedgeId h = halfedge(*below, false);
-      face = face_[h].valid() ? face_[h] : around_[walk_of_[h]];
+      face = claims.face[h].valid() ? claims.face[h] : around[graph.walk_of[h]];
     }
-    if (!has_edge[least[k]] && face.valid()) isolated_[face].push_back(least[k]);
+    if (!has_edge[least[k]] && face.valid()) inside.isolated[face].push_back(least[k]);
     for (const std::size_t walk : outlines[k]) {
-      around_[walk] = face;
-      const bool is_hole = face == kUnbounded || (face.valid() && is_tree(walks_[walk]));
-      if (is_hole) extra_holes_[face].push_back(walk);
+      around[walk] = face;
+      const bool is_hole = face == kUnbounded || (face.valid() && graph.is_tree(graph.walks[walk]));
+      if (is_hole) inside.holes[face].push_back(walk);
     }
   }
+  return inside;
 }
 
-/// The cycles of all that the face claims, the outer one first; none where that is no boundary of
+/// The cycles of all that a face claims, the outer one first; none where that is no boundary of
 /// one piece.
-std::optional<std::vector<Cycle>> Completion::relinked(FaceId f) const {
-  const Cycle& boundary = boundary_[f];
+std::optional<std::vector<Cycle>> relinked(const Graph& graph, const Cycle& boundary) {
   std::vector<HalfedgeId> sorted = boundary;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return std::nullopt;
@@ -189,10 +211,10 @@ std::optional<std::vector<Cycle>> Completion::relinked(FaceId f) const {
                                                 : sorted.size();
   };
   const auto successor = [&](HalfedgeId h) {
-    const HalfedgeId first = next_[h];
+    const HalfedgeId first = graph.next[h];
     for (HalfedgeId x = first;;) {
       if (const std::size_t i = position(x); i < sorted.size()) return i;
-      x = next_[twin(x)];
+      x = graph.next[twin(x)];
       if (x == first) return sorted.size();  // the walk ends here
     }
   };
@@ -210,7 +232,7 @@ std::optional<std::vector<Cycle>> Completion::relinked(FaceId f) const {
       cycle.push_back(sorted[i]);
       i = successor(sorted[i]);
     } while (i != first);
-    if (twice_area(cycle) > 0) {
+    if (graph.twice_area(cycle) > 0) {
       ++outer_count;
       cycles.insert(cycles.begin(), std::move(cycle));
     } else {
@@ -221,44 +243,50 @@ std::optional<std::vector<Cycle>> Completion::relinked(FaceId f) const {
   return cycles;
 }
 
-FloatComplex Completion::result() const {
+FloatComplex completed(const FloatComplex& given, const Graph& graph, const Claims& claims,
+                       const std::vector<std::size_t>& open, const Inside& inside) {
   FloatComplex c;
-  c.vertices = given_.vertices;
-  c.edges = given_.edges;
-  c.edge_sources = given_.edge_sources;
+  c.vertices = given.vertices;
+  c.edges = given.edges;
+  c.edge_sources = given.edge_sources;
   const auto add_cycle = [&](const auto& cycle) {
     c.cycles.push_back(cycle);
     return CycleId(c.cycles.size() - 1);
   };
-  std::vector<bool> is_placed(walks_.size());
-  for (std::size_t i = 0; i < given_.face_count(); ++i) {
+  std::vector<bool> is_placed(graph.walks.size());
+  for (std::size_t i = 0; i < given.face_count(); ++i) {
     const FaceId f(i);
     CycleId outer;
     std::vector<CycleId> holes;
-    if (const auto cycles = f == kUnbounded ? std::nullopt : relinked(f)) {
+    if (const auto cycles = f == kUnbounded ? std::nullopt : relinked(graph, claims.boundary[f])) {
       outer = add_cycle(cycles->front());
       for (std::size_t k = 1; k < cycles->size(); ++k) holes.push_back(add_cycle((*cycles)[k]));
     } else if (f != kUnbounded) {
-      outer = add_cycle(given_.cycles[given_.face_outer[f]]);
-      for (const CycleId hole : given_.face_holes[f])
-        holes.push_back(add_cycle(given_.cycles[hole]));
+      outer = add_cycle(given.cycles[given.face_outer[f]]);
+      for (const CycleId hole : given.face_holes[f]) holes.push_back(add_cycle(given.cycles[hole]));
     }
-    for (const std::size_t walk : extra_holes_[f]) {
-      holes.push_back(add_cycle(walks_[walk]));
+    for (const std::size_t walk : inside.holes[f]) {
+      holes.push_back(add_cycle(graph.walks[walk]));
       is_placed[walk] = true;
     }
     c.face_outer.push_back(outer);
     c.face_holes.push_back(holes);
-    c.face_isolated_vertices.push_back(isolated_[f]);
+    c.face_isolated_vertices.push_back(inside.isolated[f]);
   }
-  for (const std::size_t walk : open_) {
-    if (!is_placed[walk]) add_cycle(walks_[walk]);
+  for (const std::size_t walk : open) {
+    if (!is_placed[walk]) add_cycle(graph.walks[walk]);
   }
   return c;
 }
 
 }  // namespace
 
-FloatComplex complete_boundaries(const FloatComplex& complex) { return Completion(complex).run(); }
+FloatComplex complete_boundaries(const FloatComplex& complex) {
+  const Graph graph = graph_of(complex);
+  const Claims claims = with_antennas(graph, claims_of(complex));
+  const std::vector<std::size_t> open = open_walks(graph, claims);
+  const Inside inside = placed_components(graph, claims, open);
+  return completed(complex, graph, claims, open, inside);
+}
 
 }  // namespace plumbline
