@@ -6,10 +6,10 @@
 #include <array>
 #include <cstdlib>
 #include <map>
-#include <numeric>
 
 #include "compare/steps.hpp"
 #include "compare/winding.hpp"
+#include "geometry/union_find.hpp"
 
 namespace plumbline::compare_steps {
 namespace {
@@ -22,29 +22,22 @@ struct Place {
 
 std::vector<Place> places(const Overlaid& overlaid) {
   const ExactComplex& c = overlaid.complex;
-  std::vector<std::size_t> parent(c.face_count());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
-    return f;
-  };
+  UnionFind sets(c.face_count());
   for (std::size_t e = 0; e < c.edge_count(); ++e) {
     const FaceId f = c.halfedge_face[halfedge(EdgeId(e), false)];
     const FaceId g = c.halfedge_face[halfedge(EdgeId(e), true)];
-    if (overlaid.windings[f] != overlaid.windings[g]) continue;
-    const std::size_t a = root(f), b = root(g);
-    parent[std::max(a, b)] = std::min(a, b);
+    if (overlaid.windings[f] == overlaid.windings[g]) sets.unite(f, g);
   }
   const std::vector<Rational> areas = face_areas(c);
-  std::map<std::size_t, Place> by_root;
+  std::map<std::size_t, Place> by_least;
   for (std::size_t f = 0; f < areas.size(); ++f) {
-    if (root(f) == kUnbounded) continue;
-    Place& place = by_root[root(f)];
+    if (sets.find(f) == kUnbounded) continue;
+    Place& place = by_least[sets.find(f)];
     place.parts.emplace_back(f);
     place.area += areas[f];
   }
   std::vector<Place> result;
-  for (auto& entry : by_root) result.push_back(std::move(entry.second));
+  for (auto& entry : by_least) result.push_back(std::move(entry.second));
   return result;
 }
 

@@ -2,9 +2,7 @@
 
 #include "complex/derive.hpp"
 
-#include <boost/pending/disjoint_sets.hpp>
-
-#include <numeric>
+#include "geometry/union_find.hpp"
 
 namespace plumbline {
 namespace {
@@ -23,19 +21,13 @@ void derive_faces(Incidences& c) {
 
 /// Numbers the connected components of the graph by their least vertex.
 void derive_components(Incidences& c, std::size_t vertex_count) {
-  std::vector<std::size_t> rank(vertex_count), root(vertex_count);
-  boost::disjoint_sets sets(rank.data(), root.data());
-  for (std::size_t v = 0; v < vertex_count; ++v) sets.make_set(v);
-  for (const Edge& e : c.edges) {
-    sets.union_set(static_cast<std::size_t>(e.tail), static_cast<std::size_t>(e.head));
-  }
+  UnionFind sets(vertex_count);
+  for (const Edge& e : c.edges) sets.unite(e.tail, e.head);
   std::size_t count = 0;
-  std::vector<ComponentId> component_of_root(vertex_count);
   c.vertex_component.resize(vertex_count);
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    ComponentId& component = component_of_root[sets.find_set(v)];
-    if (!component.valid()) component = ComponentId(count++);
-    c.vertex_component[v] = component;
+    const std::size_t least = sets.find(v);
+    c.vertex_component[v] = least == v ? ComponentId(count++) : c.vertex_component[least];
   }
   c.component_parent.assign(count, kUnbounded);
 }

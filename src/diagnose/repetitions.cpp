@@ -2,9 +2,9 @@
 // where they are intervals; pairs are counted by sorting, listed up to a bound.
 
 #include <algorithm>
-#include <numeric>
 
 #include "diagnose/steps.hpp"
+#include "geometry/union_find.hpp"
 
 namespace plumbline::diagnose_steps {
 namespace {
@@ -74,20 +74,14 @@ std::vector<SegmentId> first_of_equal(std::size_t segments, const Lists<SegmentI
 std::vector<std::vector<SegmentId>> overlapping_groups(const std::vector<Ends>& ends,
                                                        const std::vector<SegmentId>& first,
                                                        const Lists<SegmentId>& edge_sources) {
-  std::vector<SegmentId> parent = first;
-  const auto root = [&](SegmentId s) {
-    while (parent[s] != s) s = parent[s] = parent[parent[s]];
-    return s;
-  };
+  UnionFind sets(ends.size());
+  for (std::size_t s = 0; s < first.size(); ++s) sets.unite(s, first[s]);
   for (std::size_t e = 0; e < edge_sources.size(); ++e) {
-    for (const SegmentId s : edge_sources[e]) {
-      const SegmentId a = root(s), b = root(edge_sources[e][0]);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (const SegmentId s : edge_sources[e]) sets.unite(s, edge_sources[e][0]);
   }
-  std::vector<std::vector<SegmentId>> groups(parent.size());
-  for (std::size_t s = 0; s < parent.size(); ++s) {
-    if (first[s] == SegmentId(s)) groups[root(SegmentId(s))].emplace_back(s);
+  std::vector<std::vector<SegmentId>> groups(ends.size());
+  for (std::size_t s = 0; s < ends.size(); ++s) {
+    if (first[s] == SegmentId(s)) groups[sets.find(s)].emplace_back(s);
   }
   std::erase_if(groups, [](const auto& group) { return group.size() < 2; });
   for (std::vector<SegmentId>& group : groups) {

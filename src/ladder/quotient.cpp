@@ -1,7 +1,6 @@
 #include "ladder/quotient.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace plumbline {
@@ -21,22 +20,15 @@ Quotient::Quotient(const ExactComplex& complex)
     : complex_(complex),
       vertices_(complex.vertices.size()),
       components_(complex.vertices.size()),
-      cluster_(complex.vertices.size()),
-      component_(complex.vertices.size()),
+      clusters_(complex.vertices.size()),
+      connected_(complex.vertices.size()),
       pieces_at_(complex.vertices.size()) {
-  std::iota(cluster_.begin(), cluster_.end(), 0U);
-  std::iota(component_.begin(), component_.end(), 0U);
   pieces_.reserve(complex.edge_count());
   multiplicity_.reserve(complex.edge_count());
   for (const Edge& e : complex.edges) {
     add_piece(e.tail, e.head);
     connect(e.tail, e.head);
   }
-}
-
-std::uint32_t Quotient::find(Parents& parents, std::size_t i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
-  return static_cast<std::uint32_t>(i);
 }
 
 std::uint64_t Quotient::key(const Piece& piece) const {
@@ -55,9 +47,8 @@ void Quotient::discount(const Piece& piece) {
 }
 
 void Quotient::connect(VertexId v, VertexId w) {
-  const std::uint32_t s = find(component_, v), t = find(component_, w);
-  if (s == t) return;
-  component_[std::max(s, t)] = std::min(s, t);
+  if (connected_.find(v) == connected_.find(w)) return;
+  connected_.unite(v, w);
   --components_;
 }
 
@@ -67,7 +58,7 @@ void Quotient::merge(VertexId v, VertexId w) {
   if (pieces_at_[large].size() < pieces_at_[small].size()) std::swap(large, small);
   // A piece between the two stands in both lists and is discounted once: it is a loop afterwards.
   for (const std::uint32_t piece : pieces_at_[small]) discount(pieces_[piece]);
-  cluster_[small] = large;
+  clusters_.unite_into(large, small);
   for (const std::uint32_t piece : pieces_at_[small]) {
     count(pieces_[piece]);
     pieces_at_[large].push_back(piece);

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/union_find.hpp"
 #include "plumbline/complex.hpp"
 
 namespace plumbline {
@@ -28,10 +29,9 @@ class Quotient {
   /// By Euler's relation, with the unbounded face.
   std::size_t face_count() const { return 1 + components_ + edge_count() - vertices_; }
   /// A number for the vertex, the same for those that are merged.
-  std::uint32_t cluster(VertexId v) const { return find(cluster_, v); }
+  std::uint32_t cluster(VertexId v) const { return static_cast<std::uint32_t>(clusters_.find(v)); }
 
  private:
-  using Parents = std::vector<std::uint32_t>;  ///< of a union-find
   struct Piece {
     VertexId from, to;
   };
@@ -42,7 +42,6 @@ class Quotient {
     std::uint32_t piece;
   };
 
-  static std::uint32_t find(Parents& parents, std::size_t i);
   std::uint64_t key(const Piece& piece) const;
   void count(const Piece& piece);
   void discount(const Piece& piece);
@@ -51,7 +50,8 @@ class Quotient {
 
   const ExactComplex& complex_;
   std::size_t vertices_, components_;
-  mutable Parents cluster_, component_;
+  mutable UnionFind clusters_;                                     ///< of merged vertices
+  UnionFind connected_;                                            ///< vertices
   std::vector<Piece> pieces_;                                      ///< the first ones are the edges
   std::vector<std::vector<std::uint32_t>> pieces_at_;              ///< per cluster
   std::unordered_map<std::uint64_t, std::uint32_t> multiplicity_;  ///< pieces between two clusters

@@ -6,9 +6,9 @@
 // rounded face one exact face.
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
 #include <iterator>
 
+#include "geometry/union_find.hpp"
 #include "plumbline/error.hpp"
 #include "round/images.hpp"
 
@@ -25,12 +25,8 @@ class FaceOrigins {
         rounded_(rounded),
         lefts_(rounded.edge_count()),
         rights_(rounded.edge_count()),
-        rank_(rounded.face_count()),
-        root_(rounded.face_count()),
-        sets_(rank_.data(), root_.data()),
-        origin_(rounded.face_count()) {
-    for (std::size_t f = 0; f < rounded.face_count(); ++f) sets_.make_set(f);
-  }
+        sets_(rounded.face_count()),
+        origin_(rounded.face_count()) {}
 
   std::vector<FaceId> run(const std::vector<VertexId>& vertex_image,
                           const Lists<HalfedgeId>& edge_image) {
@@ -39,7 +35,7 @@ class FaceOrigins {
     for (std::size_t e = 0; e < lefts_.size(); ++e) take_sides(EdgeId(e));
     take(kUnbounded, kUnbounded);
     for (std::size_t f = 0; f < origin_.size(); ++f) {
-      origin_[f] = origin_[sets_.find_set(f)];
+      origin_[f] = origin_[sets_.find(f)];
       ensure(origin_[f].valid(), kContradiction);
     }
     for (std::size_t e = 0; e < lefts_.size(); ++e) check_same_sides(EdgeId(e));
@@ -67,11 +63,11 @@ class FaceOrigins {
   FaceId right(EdgeId e) const { return rounded_.halfedge_face[halfedge(e, true)]; }
 
   void join(EdgeId e) {
-    if (lefts_[e] == rights_[e]) sets_.union_set(std::size_t{left(e)}, std::size_t{right(e)});
+    if (lefts_[e] == rights_[e]) sets_.unite(left(e), right(e));
   }
 
   void take(FaceId rounded, FaceId origin) {
-    FaceId& known = origin_[sets_.find_set(std::size_t{rounded})];
+    FaceId& known = origin_[sets_.find(rounded)];
     ensure(!known.valid() || known == origin, kContradiction);
     known = origin;
   }
@@ -121,9 +117,8 @@ class FaceOrigins {
   const Incidences& exact_;
   const Incidences& rounded_;
   std::vector<Faces> lefts_, rights_;  ///< per rounded edge, of its exact ones, ascending
-  std::vector<std::size_t> rank_, root_;
-  mutable boost::disjoint_sets<std::size_t*, std::size_t*> sets_;  ///< of rounded faces
-  std::vector<FaceId> origin_;  ///< per root of a set, in the end per rounded face
+  UnionFind sets_;                     ///< of rounded faces
+  std::vector<FaceId> origin_;         ///< per representative, in the end per rounded face
 };
 
 }  // namespace

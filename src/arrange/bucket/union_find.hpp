@@ -8,10 +8,10 @@
 
 namespace plumbline::bucket {
 
-/// Disjoint sets of numbers, each represented by its least member. Several threads may unite and
-/// find at the same time: a root is linked under a lesser one by compare-and-swap (Anderson and
-/// Woll, "Wait-free parallel algorithms for the union-find problem", 1991), so the sets and their
-/// representatives do not depend on the order.
+/// Disjoint sets of numbers, each represented by its least member. It is not that of `geometry`
+/// because several threads may unite and find in it at the same time: a root is linked under a
+/// lesser one by compare-and-swap (Anderson and Woll, "Wait-free parallel algorithms for the
+/// union-find problem", 1991), so the sets and their representatives do not depend on the order.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t count) : parent_(count) {

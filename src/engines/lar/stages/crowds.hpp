@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engines/lar/stages/union_find.hpp"
+#include "geometry/union_find.hpp"
 #include "plumbline/geometry.hpp"
 
 namespace plumbline::lar {

@@ -1,7 +1,7 @@
 // The face walk. "Next" is a permutation of the halfedges whatever their order around the vertices,
 // so every cycle closes and every halfedge is in one.
 
-#include "engines/lar/stages/union_find.hpp"
+#include "geometry/union_find.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 
 namespace plumbline::lar {

@@ -4,7 +4,6 @@
 #include <memory>
 #include <span>
 
-#include "engines/lar/stages/union_find.hpp"
 #include "plumbline/geometry.hpp"
 
 namespace plumbline::lar {

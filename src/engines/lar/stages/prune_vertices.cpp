@@ -5,7 +5,7 @@
 
 #include "engines/lar/stages/crowds.hpp"
 #include "engines/lar/stages/near_points.hpp"
-#include "engines/lar/stages/union_find.hpp"
+#include "geometry/union_find.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 
 namespace plumbline::lar {
