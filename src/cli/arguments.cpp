@@ -55,7 +55,7 @@ Command called(std::pair<CLI::App*, Arguments*>... commands) {
 
 }  // namespace
 
-std::variant<Command, Told> parse(const std::vector<std::string>& arguments) {
+std::variant<Command, Notice> parse(const std::vector<std::string>& arguments) {
   CLI::App app(kDescription, "plumbline");
   app.set_version_flag("--version", "plumbline " PLUMBLINE_VERSION);
   app.footer(kExitCodes);
@@ -78,7 +78,7 @@ std::variant<Command, Told> parse(const std::vector<std::string>& arguments) {
   } catch (const CLI::ParseError& error) {
     std::ostringstream out, err;
     const bool is_error = app.exit(error, out, err) != 0;
-    return Told{is_error ? shown(err.str()) : out.str(), is_error};
+    return Notice{is_error ? shown(err.str()) : out.str(), is_error};
   }
   return called(arrange_command, check_command, info_command, lar_command, eval_command,
                 random_command);

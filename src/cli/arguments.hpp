@@ -12,13 +12,13 @@ using Command = std::variant<ArrangeArguments, CheckArguments, InfoArguments, La
                              EvalArguments, RandomArguments>;
 
 /// What is said instead of running: the help, the version, or what is wrong with the arguments.
-struct Told {
+struct Notice {
   std::string text;
   bool is_error = false;
 };
 
 /// What the command line asks for, the program's name left out. Throws: Error BadInput for an
 /// unknown command and for what is no number.
-std::variant<Command, Told> parse(const std::vector<std::string>& arguments);
+std::variant<Command, Notice> parse(const std::vector<std::string>& arguments);
 
 }  // namespace plumbline::cli

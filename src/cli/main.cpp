@@ -22,10 +22,10 @@ void flush_output() {
 
 ExitCode parse_and_run(const std::vector<std::string>& arguments) {
   const auto parsed = parse(arguments);
-  if (const auto* told = std::get_if<Told>(&parsed)) {
-    fmt::print(told->is_error ? stderr : stdout, "{}", told->text);
+  if (const auto* notice = std::get_if<Notice>(&parsed)) {
+    fmt::print(notice->is_error ? stderr : stdout, "{}", notice->text);
     flush_output();
-    return told->is_error ? kBadInput : kAgree;
+    return notice->is_error ? kBadInput : kAgree;
   }
   const auto run_watched = [](const auto& command) {
     for (const std::string& note : command.notes) fmt::print(stderr, "plumbline: {}\n", note);

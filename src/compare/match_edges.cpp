@@ -13,8 +13,8 @@ namespace {
 
 using Walk = std::vector<HalfedgeId>;
 
-/// An edge left over, and where its ends are on the other side.
-struct Left {
+/// An edge without a match whose ends both have an image, and these images.
+struct OpenEdge {
   Side side;
   EdgeId edge;
   VertexId from, to;
@@ -57,12 +57,12 @@ class EdgeMatcher {
     return result_.match[side][e].valid() || result_.number[side][e] != 0;
   }
   std::vector<bool> unaccounted(Side side) const;
-  /// The edges left over whose ends both have an image, ascending.
-  std::vector<Left> left_over(Side side) const;
+  /// The edges not accounted for whose ends both have an image, ascending.
+  std::vector<OpenEdge> open_edges(Side side) const;
   void add(Finding finding);
   Finding finding(Side side, Disagreement disagreement, const std::vector<EdgeId>& here,
                   const std::vector<EdgeId>& there, std::string message) const;
-  void set_image(const Left& left, const Walk& chain);
+  void set_image(const OpenEdge& open, const Walk& chain);
   Numbers why_lacking(Side side, EdgeId e) const;
 
   const Sides& sides_;
@@ -95,13 +95,14 @@ std::vector<bool> EdgeMatcher::unaccounted(Side side) const {
   return result;
 }
 
-std::vector<Left> EdgeMatcher::left_over(Side side) const {
-  std::vector<Left> result;
+std::vector<OpenEdge> EdgeMatcher::open_edges(Side side) const {
+  std::vector<OpenEdge> result;
   for (std::size_t i = 0; i < sides_[side].edge_count(); ++i) {
     const EdgeId e(i);
     const Edge& edge = sides_[side].edges[e];
-    const Left left{side, e, vertices_.image[side][edge.tail], vertices_.image[side][edge.head]};
-    if (!is_accounted(side, e) && left.from.valid() && left.to.valid()) result.push_back(left);
+    const OpenEdge open{side, e, vertices_.image[side][edge.tail],
+                        vertices_.image[side][edge.head]};
+    if (!is_accounted(side, e) && open.from.valid() && open.to.valid()) result.push_back(open);
   }
   return result;
 }
@@ -132,8 +133,8 @@ Finding EdgeMatcher::finding(Side side, Disagreement disagreement, const std::ve
 /// Edges whose two ends are one vertex of the other side: one finding for each such vertex.
 void EdgeMatcher::report_collapsed(Side side) {
   std::map<VertexId, std::vector<EdgeId>> by_vertex;
-  for (const Left& left : left_over(side))
-    if (left.from == left.to) by_vertex[left.from].push_back(left.edge);
+  for (const OpenEdge& open : open_edges(side))
+    if (open.from == open.to) by_vertex[open.from].push_back(open.edge);
   for (const auto& [v, edges] : by_vertex) {
     Rational longest = 0;
     for (const EdgeId e : edges) {
@@ -160,12 +161,12 @@ void EdgeMatcher::report_collapsed(Side side) {
 /// Edges that join the same vertices of the other side: one finding for each edge there.
 void EdgeMatcher::report_parallel(Side side) {
   std::map<EdgeId, std::vector<EdgeId>> by_edge;
-  for (const Left& left : left_over(side)) {
-    const EdgeId f = edge_between(sides_, other(side), left.from, left.to);
+  for (const OpenEdge& open : open_edges(side)) {
+    const EdgeId f = edge_between(sides_, other(side), open.from, open.to);
     if (!f.valid()) continue;
-    by_edge[f].push_back(left.edge);
-    result_.other_image[side][left.edge] =
-        Walk{halfedge(f, sides_[other(side)].edges[f].tail != left.from)};
+    by_edge[f].push_back(open.edge);
+    result_.other_image[side][open.edge] =
+        Walk{halfedge(f, sides_[other(side)].edges[f].tail != open.from)};
   }
   for (auto& [f, edges] : by_edge) {
     if (const EdgeId match = result_.match[other(side)][f]; match.valid())
@@ -180,12 +181,12 @@ void EdgeMatcher::report_parallel(Side side) {
 
 /// The edge is the whole chain; of the chain, the first edge stands for it and the others for
 /// nothing.
-void EdgeMatcher::set_image(const Left& left, const Walk& chain) {
-  result_.other_image[left.side][left.edge] = chain;
+void EdgeMatcher::set_image(const OpenEdge& open, const Walk& chain) {
+  result_.other_image[open.side][open.edge] = chain;
   for (const HalfedgeId h : chain) {
-    if (result_.image(other(left.side), edge_of(h))) continue;
-    Walk& image = result_.other_image[other(left.side)][edge_of(h)];
-    if (h == chain.front()) image.push_back(halfedge(left.edge, is_reversed(h)));
+    if (result_.image(other(open.side), edge_of(h))) continue;
+    Walk& image = result_.other_image[other(open.side)][edge_of(h)];
+    if (h == chain.front()) image.push_back(halfedge(open.edge, is_reversed(h)));
   }
 }
 
@@ -193,14 +194,14 @@ void EdgeMatcher::set_image(const Left& left, const Walk& chain) {
 void EdgeMatcher::report_chains(Side side, const std::vector<bool>& is_usable,
                                 bool edges_are_matched) {
   std::vector<bool> usable = is_usable;
-  for (const Left& left : left_over(side)) {
-    const Edge& edge = sides_[side].edges[left.edge];
+  for (const OpenEdge& open : open_edges(side)) {
+    const Edge& edge = sides_[side].edges[open.edge];
     const Segment ab{sides_.point(side, edge.tail), sides_.point(side, edge.head)};
-    const Walk chain = left.from == left.to ? Walk{}
-                                            : chain_along(sides_, other(side), left.from, left.to,
+    const Walk chain = open.from == open.to ? Walk{}
+                                            : chain_along(sides_, other(side), open.from, open.to,
                                                           ab, usable, chain_steps_);
     if (chain.empty()) continue;
-    std::vector<EdgeId> here{left.edge}, there;
+    std::vector<EdgeId> here{open.edge}, there;
     Rational farthest = 0;
     for (const HalfedgeId h : chain) {
       const EdgeId f = edge_of(h);
@@ -222,7 +223,7 @@ void EdgeMatcher::report_chains(Side side, const std::vector<bool>& is_usable,
     Finding f = finding(side, joining(joined_side), here, there, message);
     f.squared_distance = farthest;
     f.distance = length(farthest);
-    set_image(left, chain);
+    set_image(open, chain);
     add(std::move(f));
   }
 }

@@ -26,16 +26,17 @@ namespace {
 
 namespace intrusive = boost::intrusive;
 
-/// An edge that the line may meet. Ordered by where it was put, never by comparing.
-struct Met : intrusive::set_base_hook<intrusive::optimize_size<true>> {
+/// An edge as an item of the sweep's status. It stands where it was put: items are never compared.
+struct StatusEdge : intrusive::set_base_hook<intrusive::optimize_size<true>> {
   EdgeId edge;
 };
-using Status = intrusive::set<Met, intrusive::constant_time_size<false>>;
+/// The edges that the line meets, from the bottom up.
+using Status = intrusive::set<StatusEdge, intrusive::constant_time_size<false>>;
 
 class Certifier {
  public:
   explicit Certifier(const ExactComplex& complex)
-      : c_(complex), points_(complex.vertices), met_(complex.edge_count()) {}
+      : c_(complex), points_(complex.vertices), status_edges_(complex.edge_count()) {}
 
   bool run() {
     if (!prepare()) return false;
@@ -54,14 +55,14 @@ class Certifier {
   bool has_right_cycles() const;
 
   /// Where the vertex lies: 1 above the edge, -1 below it, 0 on it.
-  int side(const Met& m, VertexId v) const {
-    return points_.orientation(c_.edges[m.edge].tail, c_.edges[m.edge].head, v);
+  int side(const StatusEdge& item, VertexId v) const {
+    return points_.orientation(c_.edges[item.edge].tail, c_.edges[item.edge].head, v);
   }
 
   const ExactComplex& c_;
   const FilteredPoints points_;
-  std::vector<Met> met_;  ///< per edge
-  Status status_;         ///< after met_: it must end before what it links
+  std::vector<StatusEdge> status_edges_;  ///< per edge
+  Status status_;                         ///< destroyed before the edges that it links
 
   std::vector<std::uint32_t> ending_count_;  ///< per vertex, of the edges that end there
   std::vector<EdgeId> some_ending_;          ///< per vertex, one of them
@@ -80,8 +81,8 @@ bool Certifier::prepare() {
     if (!points_.is_before(v - 1, v)) return false;
   ending_count_.assign(c_.vertices.size(), 0);
   some_ending_.resize(c_.vertices.size());
-  for (std::size_t e = 0; e < met_.size(); ++e) {
-    met_[e].edge = EdgeId(e);
+  for (std::size_t e = 0; e < status_edges_.size(); ++e) {
+    status_edges_[e].edge = EdgeId(e);
     ++ending_count_[c_.edges[e].head];
     some_ending_[c_.edges[e].head] = EdgeId(e);
   }
@@ -115,11 +116,12 @@ bool Certifier::enter(VertexId v) {
 bool Certifier::take_ending(VertexId v) {
   leftward_.clear();
   if (!some_ending_[v].valid()) {
-    above_ = status_.lower_bound(v, [&](const Met& m, VertexId w) { return side(m, w) > 0; });
+    above_ = status_.lower_bound(
+        v, [&](const StatusEdge& item, VertexId w) { return side(item, w) > 0; });
     return true;
   }
-  const auto ends_here = [&](const Met& m) { return c_.edges[m.edge].head == v; };
-  auto first = status_.iterator_to(met_[some_ending_[v]]);
+  const auto ends_here = [&](const StatusEdge& item) { return c_.edges[item.edge].head == v; };
+  auto first = status_.iterator_to(status_edges_[some_ending_[v]]);
   while (first != status_.begin() && ends_here(*std::prev(first))) --first;
   for (above_ = first; above_ != status_.end() && ends_here(*above_);) {
     leftward_.push_back(halfedge(above_->edge, true));
@@ -130,7 +132,7 @@ bool Certifier::take_ending(VertexId v) {
 
 /// Puts the edges that begin at v into their place, if no two have the same direction.
 bool Certifier::take_beginning(VertexId v) {
-  for (; next_edge_ < met_.size() && c_.edges[next_edge_].tail == v; ++next_edge_)
+  for (; next_edge_ < status_edges_.size() && c_.edges[next_edge_].tail == v; ++next_edge_)
     around_.push_back(halfedge(EdgeId(next_edge_), false));
   const auto turn = [&](HalfedgeId g, HalfedgeId h) {
     return points_.orientation(v, c_.target(g), c_.target(h));
@@ -139,7 +141,7 @@ bool Certifier::take_beginning(VertexId v) {
             [&](HalfedgeId g, HalfedgeId h) { return turn(g, h) > 0; });
   for (std::size_t i = 0; i < around_.size(); ++i) {
     if (i > 0 && turn(around_[i - 1], around_[i]) <= 0) return false;
-    status_.insert_before(above_, met_[edge_of(around_[i])]);
+    status_.insert_before(above_, status_edges_[edge_of(around_[i])]);
   }
   around_.insert(around_.end(), leftward_.rbegin(), leftward_.rend());
   return true;

@@ -47,7 +47,8 @@ Slope slope(const Vector& u) {
 
 class Angles {
  public:
-  explicit Angles(const Work& work) : work_(work), graph_(work.graph), result_(work.most_listed) {}
+  explicit Angles(const Subject& subject)
+      : subject_(subject), graph_(subject.graph), result_(subject.most_listed) {}
 
   Defects find() && {
     const ExactComplex& complex = graph_.complex();
@@ -81,7 +82,7 @@ class Angles {
     defect.size = nearest_sqrt(squared_sine);
     const Rational depart =
         squared_sine * std::min(graph_.squared_length(e), graph_.squared_length(f));
-    if (depart <= work_.squared_within) defect.proposed_tolerance = root_rounded_up(depart);
+    if (depart <= subject_.squared_within) defect.proposed_tolerance = root_rounded_up(depart);
     defect.squared_size = std::move(squared_sine);
     defect.vertices = {v};
     defect.edges = {e, f};
@@ -89,7 +90,7 @@ class Angles {
     result_.add(std::move(defect));
   }
 
-  const Work& work_;
+  const Subject& subject_;
   const LineGraph& graph_;
   Defects result_;
   std::set<std::pair<VertexId, std::pair<Slope, Slope>>> seen_;
@@ -97,6 +98,6 @@ class Angles {
 
 }  // namespace
 
-Defects nearly_parallel_edges(const Work& work) { return Angles(work).find(); }
+Defects nearly_parallel_edges(const Subject& subject) { return Angles(subject).find(); }
 
 }  // namespace plumbline::diagnose_steps

@@ -54,9 +54,9 @@ Defect bridge(const LineGraph& graph, Chain chain) {
 
 }  // namespace
 
-Defects bridges(const Work& work) {
-  const LineGraph& graph = work.graph;
-  Defects result(work.most_listed);
+Defects bridges(const Subject& subject) {
+  const LineGraph& graph = subject.graph;
+  Defects result(subject.most_listed);
   std::vector<bool> seen = dangling_trees(graph);
   for (std::size_t e = 0; e < seen.size(); ++e) {
     if (seen[e] || !graph.complex().is_antenna(EdgeId(e))) continue;

@@ -7,8 +7,8 @@
 namespace plumbline::diagnose_steps {
 namespace {
 
-Defect near_end(const Work& work, const Tip& tip) {
-  const LineGraph& graph = work.graph;
+Defect near_end(const Subject& subject, const Tip& tip) {
+  const LineGraph& graph = subject.graph;
   Defect defect;
   defect.kind = tip.kind;
   defect.where = graph.complex().vertices[tip.vertex];
@@ -27,8 +27,8 @@ Defect near_end(const Work& work, const Tip& tip) {
   return defect;
 }
 
-Defect dangling(const Work& work, const Tip& tip, const Chain& line) {
-  const LineGraph& graph = work.graph;
+Defect dangling(const Subject& subject, const Tip& tip, const Chain& line) {
+  const LineGraph& graph = subject.graph;
   const Roots length = graph.length(line);
   Defect defect;
   defect.kind = tip.kind;
@@ -36,7 +36,7 @@ Defect dangling(const Work& work, const Tip& tip, const Chain& line) {
   defect.vertices = {tip.vertex};
   if (line.edges.size() == 1) defect.squared_size = graph.squared_length(line.edges[0]);
   defect.size = length.rounded();
-  if (graph.is_within(line, work.within)) defect.proposed_tolerance = length.rounded_up();
+  if (graph.is_within(line, subject.within)) defect.proposed_tolerance = length.rounded_up();
   defect.segments = graph.segments(line.edges);
   defect.edges = line.edges;
   return defect;
@@ -44,12 +44,12 @@ Defect dangling(const Work& work, const Tip& tip, const Chain& line) {
 
 /// Where both ends of a line dangle, or both tips of a gap have each other: whether the other one
 /// speaks for both.
-bool is_told_by_other(const Work& work, const Tips& tips, const Tip& tip) {
+bool is_told_by_other(const Subject& subject, const Tips& tips, const Tip& tip) {
   VertexId other;
   if (tip.kind == DefectKind::Gap) other = tip.partner;
   if (tip.kind == DefectKind::Dangle)
-    other = work.graph.chain(tip.vertex, work.graph.edges(tip.vertex)[0]).last;
-  if (!other.valid() || !(other < tip.vertex) || !work.graph.is_tip(other)) return false;
+    other = subject.graph.chain(tip.vertex, subject.graph.edges(tip.vertex)[0]).last;
+  if (!other.valid() || !(other < tip.vertex) || !subject.graph.is_tip(other)) return false;
   const Tip& second = tips.at(other);
   return second.kind == tip.kind &&
          (tip.kind == DefectKind::Dangle || second.partner == tip.vertex);
@@ -57,19 +57,19 @@ bool is_told_by_other(const Work& work, const Tips& tips, const Tip& tip) {
 
 }  // namespace
 
-Defects dangling_lines(const Work& work, const Tips& tips) {
-  Defects result(work.most_listed);
+Defects dangling_lines(const Subject& subject, const Tips& tips) {
+  Defects result(subject.most_listed);
   for (const Tip& tip : tips.tips) {
-    const Chain line = work.graph.chain(tip.vertex, work.graph.edges(tip.vertex)[0]);
-    if (work.graph.is_within(line, work.within))
+    const Chain line = subject.graph.chain(tip.vertex, subject.graph.edges(tip.vertex)[0]);
+    if (subject.graph.is_within(line, subject.within))
       for (const EdgeId e : line.edges) result.add_accident(e);
-    if (is_told_by_other(work, tips, tip)) continue;
+    if (is_told_by_other(subject, tips, tip)) continue;
     if (tip.kind == DefectKind::Gap || tip.kind == DefectKind::Undershoot) {
-      result.add(near_end(work, tip));
+      result.add(near_end(subject, tip));
       continue;
     }
-    Defect defect = dangling(work, tip, line);
-    if (tip.kind == DefectKind::Dangle && work.graph.is_tip(line.last) &&
+    Defect defect = dangling(subject, tip, line);
+    if (tip.kind == DefectKind::Dangle && subject.graph.is_tip(line.last) &&
         tips.at(line.last).kind == DefectKind::Dangle)
       defect.vertices.push_back(line.last);
     result.add(std::move(defect));

@@ -86,23 +86,23 @@ Diagnosis diagnose(const SegmentSet& input, const ExactComplex& complex,
   result.within = options.within ? *options.within : default_distance(complex);
   const LineGraph graph(complex);
   const diagnose_steps::NearEdges near(graph, result.within);
-  const diagnose_steps::Work work{
+  const diagnose_steps::Subject subject{
       input, graph, near, result.within, result.within * result.within, options.most_listed};
-  const diagnose_steps::Tips tips = diagnose_steps::classify_tips(work);
-  Defects defects = diagnose_steps::duplicates_and_overlaps(work);
-  defects.append(diagnose_steps::dangling_lines(work, tips));
-  defects.append(diagnose_steps::near_misses(work, tips));
-  defects.append(diagnose_steps::bridges(work));
-  defects.append(diagnose_steps::slivers(work));
-  defects.append(diagnose_steps::short_edges(work));
-  defects.append(diagnose_steps::nearly_parallel_edges(work));
+  const diagnose_steps::Tips tips = diagnose_steps::classify_tips(subject);
+  Defects defects = diagnose_steps::duplicates_and_overlaps(subject);
+  defects.append(diagnose_steps::dangling_lines(subject, tips));
+  defects.append(diagnose_steps::near_misses(subject, tips));
+  defects.append(diagnose_steps::bridges(subject));
+  defects.append(diagnose_steps::slivers(subject));
+  defects.append(diagnose_steps::short_edges(subject));
+  defects.append(diagnose_steps::nearly_parallel_edges(subject));
   result.found = defects.found();
   result.cut_short = defects.cut_short();
   result.tips = tips.tips.size();
   result.squared_detail = shortest_detail(graph, defects.accidents());
   result.tolerances = effects(defects.proposed_tolerances(), result.squared_detail);
   result.defects = defects.take_listed();
-  for (Defect& defect : result.defects) defect.message = diagnose_steps::describe(work, defect);
+  for (Defect& defect : result.defects) defect.message = diagnose_steps::describe(subject, defect);
   return result;
 }
 

@@ -22,8 +22,8 @@ constexpr double kBelievable = 1000;
 
 class NearMisses {
  public:
-  NearMisses(const Work& work, const Tips& tips)
-      : work_(work), graph_(work.graph), tips_(tips), result_(work.most_listed) {}
+  NearMisses(const Subject& subject, const Tips& tips)
+      : subject_(subject), graph_(subject.graph), tips_(tips), result_(subject.most_listed) {}
 
   Defects find() && {
     for (std::size_t v = 0; v < graph_.complex().vertices.size(); ++v) look_around(VertexId(v));
@@ -34,7 +34,7 @@ class NearMisses {
  private:
   void look_around(VertexId v) {
     if (is_explained_tip(v)) return;
-    const NearEdges::Answer near = work_.near.near(v);
+    const NearEdges::Answer near = subject_.near.near(v);
     Ways ways(graph_, v);
     std::optional<NearEdge> best;
     Nearest nearest;
@@ -42,7 +42,7 @@ class NearMisses {
       if (best && candidate.distance > best->distance + 2 * graph_.slack()) break;
       if (is_adjacent(v, candidate.edge) || is_explained(ways, candidate, v)) continue;
       Nearest found = nearest_on_edge(graph_.complex(), v, candidate.edge);
-      if (found.squared_distance > work_.squared_within) continue;
+      if (found.squared_distance > subject_.squared_within) continue;
       if (best && found.squared_distance >= nearest.squared_distance) continue;
       if (found.end.valid() && is_explained_tip(found.end)) continue;
       best = candidate;
@@ -121,9 +121,9 @@ class NearMisses {
       const Point& p = complex.vertices[isolated[i]];
       for (std::size_t j = i + 1; j < isolated.size() && j <= i + NearEdges::kMostProposals; ++j) {
         const Point& q = complex.vertices[isolated[j]];
-        if (q.x - p.x > work_.within) break;
+        if (q.x - p.x > subject_.within) break;
         Rational squared = squared_distance(p, q);
-        if (squared > work_.squared_within) continue;
+        if (squared > subject_.squared_within) continue;
         Defect defect;
         defect.kind = DefectKind::NearMiss;
         defect.where = midpoint(p, q);
@@ -133,7 +133,7 @@ class NearMisses {
     }
   }
 
-  const Work& work_;
+  const Subject& subject_;
   const LineGraph& graph_;
   const Tips& tips_;
   Defects result_;
@@ -142,6 +142,8 @@ class NearMisses {
 
 }  // namespace
 
-Defects near_misses(const Work& work, const Tips& tips) { return NearMisses(work, tips).find(); }
+Defects near_misses(const Subject& subject, const Tips& tips) {
+  return NearMisses(subject, tips).find();
+}
 
 }  // namespace plumbline::diagnose_steps

@@ -133,10 +133,10 @@ void list_pairs(const std::vector<Ends>& ends, const std::vector<SegmentId>& gro
 
 }  // namespace
 
-Defects duplicates_and_overlaps(const Work& work) {
-  const std::vector<Ends> ends = ends_of(work.input);
+Defects duplicates_and_overlaps(const Subject& subject) {
+  const std::vector<Ends> ends = ends_of(subject.input);
   const Lists<SegmentId> equal = equal_segments(ends);
-  Defects defects(work.most_listed);
+  Defects defects(subject.most_listed);
   for (std::size_t g = 0; g < equal.size(); ++g) {
     const Ends& common = ends[equal[g].front()];
     defects.add(repeated(DefectKind::Duplicate, exact(common.low), exact(common.high),
@@ -144,7 +144,7 @@ Defects duplicates_and_overlaps(const Work& work) {
   }
   std::size_t looked_at = 0;
   for (const std::vector<SegmentId>& group : overlapping_groups(
-           ends, first_of_equal(ends.size(), equal), work.graph.complex().edge_sources)) {
+           ends, first_of_equal(ends.size(), equal), subject.graph.complex().edge_sources)) {
     const std::size_t pairs = pair_count(ends, group);
     const std::size_t listed = std::min(pairs, kMostPairs - std::min(kMostPairs, looked_at));
     list_pairs(ends, group, listed, defects);

@@ -22,15 +22,15 @@ bool is_finely_drawn(const LineGraph& graph, EdgeId e, const Rational& squared_l
 
 }  // namespace
 
-Defects short_edges(const Work& work) {
-  const LineGraph& graph = work.graph;
+Defects short_edges(const Subject& subject) {
+  const LineGraph& graph = subject.graph;
   const ExactComplex& complex = graph.complex();
-  Defects result(work.most_listed);
+  Defects result(subject.most_listed);
   for (std::size_t i = 0; i < complex.edge_count(); ++i) {
     const EdgeId e(i);
     const Edge& edge = complex.edges[e];
     if (graph.is_tip(edge.tail) || graph.is_tip(edge.head)) continue;
-    if (!graph.is_within(e, work.within)) continue;
+    if (!graph.is_within(e, subject.within)) continue;
     Rational squared = graph.squared_length(e);
     if (is_finely_drawn(graph, e, squared)) continue;
     Defect defect;

@@ -52,24 +52,24 @@ bool is_sliver(const LineGraph& graph, const std::vector<EdgeId>& edges, const R
 
 }  // namespace
 
-Defects slivers(const Work& work) {
-  Defects result(work.most_listed);
-  if (sgn(work.within) == 0) return result;
-  const ExactComplex& complex = work.graph.complex();
+Defects slivers(const Subject& subject) {
+  Defects result(subject.most_listed);
+  if (sgn(subject.within) == 0) return result;
+  const ExactComplex& complex = subject.graph.complex();
   const std::vector<Rational> areas = face_areas(complex);
-  const double within = nearest_double(work.within);
+  const double within = nearest_double(subject.within);
   for (std::size_t f = 1; f < complex.face_count(); ++f) {
     std::vector<EdgeId> edges = boundary(complex, FaceId(f));
     const double area = nearest_double(areas[f]);
-    if (is_clearly_none(work.graph, edges, area, within)) continue;
-    if (!is_sliver(work.graph, edges, areas[f], work.within)) continue;
+    if (is_clearly_none(subject.graph, edges, area, within)) continue;
+    if (!is_sliver(subject.graph, edges, areas[f], subject.within)) continue;
     Defect defect;
     defect.kind = DefectKind::Sliver;
     defect.where = interior_point(complex, FaceId(f));
     defect.area = areas[f];
-    defect.size = 2 * area / work.graph.length({VertexId(), VertexId(), edges}).rounded();
+    defect.size = 2 * area / subject.graph.length({VertexId(), VertexId(), edges}).rounded();
     defect.face = FaceId(f);
-    defect.segments = work.graph.segments(edges);
+    defect.segments = subject.graph.segments(edges);
     defect.edges = std::move(edges);
     result.add(std::move(defect));
   }

@@ -9,8 +9,8 @@
 
 namespace plumbline::diagnose_steps {
 
-/// What every step looks at.
-struct Work {
+/// The drawing that is diagnosed, as every step looks at it.
+struct Subject {
   const SegmentSet& input;
   const LineGraph& graph;
   const NearEdges& near;
@@ -67,20 +67,20 @@ struct Tips {
 };
 
 // The steps, in the order in which `diagnose` takes them.
-Defects duplicates_and_overlaps(const Work& work);
-Tips classify_tips(const Work& work);
+Defects duplicates_and_overlaps(const Subject& subject);
+Tips classify_tips(const Subject& subject);
 /// Whether a segment of a dangling line runs through the vertex where the line leaves the others.
-bool goes_beyond(const Work& work, const Chain& line);
+bool goes_beyond(const Subject& subject, const Chain& line);
 /// Gaps, undershoots, overshoots and dangles.
-Defects dangling_lines(const Work& work, const Tips& tips);
-Defects near_misses(const Work& work, const Tips& tips);
-Defects bridges(const Work& work);
-Defects slivers(const Work& work);
-Defects short_edges(const Work& work);
-Defects nearly_parallel_edges(const Work& work);
+Defects dangling_lines(const Subject& subject, const Tips& tips);
+Defects near_misses(const Subject& subject, const Tips& tips);
+Defects bridges(const Subject& subject);
+Defects slivers(const Subject& subject);
+Defects short_edges(const Subject& subject);
+Defects nearly_parallel_edges(const Subject& subject);
 /// One sentence on a defect whose other members are there; of a Dangle whether its line is the rest
 /// of one that crosses others.
-std::string describe(const Work& work, const Defect& defect);
+std::string describe(const Subject& subject, const Defect& defect);
 
 Point midpoint(const Point& p, const Point& q);
 

@@ -33,12 +33,12 @@ bool is_side_by_side(const Vector& u, const Vector& v) {
 
 class Classifier {
  public:
-  explicit Classifier(const Work& work) : work_(work), graph_(work.graph) {}
+  explicit Classifier(const Subject& subject) : subject_(subject), graph_(subject.graph) {}
 
   /// The tip, and whether the search for what is near it was cut short in vain.
   std::pair<Tip, bool> classify(VertexId v) const {
     const Chain line = graph_.chain(v, graph_.edges(v)[0]);
-    const NearEdges::Answer near = work_.near.near(v);
+    const NearEdges::Answer near = subject_.near.near(v);
     Tip tip;
     tip.vertex = v;
     find_nearest(tip, line, near);
@@ -61,7 +61,7 @@ class Classifier {
       if (partner.valid())
         found.squared_distance =
             squared_distance(complex.vertices[tip.vertex], complex.vertices[partner]);
-      if (found.squared_distance > work_.squared_within) continue;
+      if (found.squared_distance > subject_.squared_within) continue;
       if (is_found && found.squared_distance >= tip.squared_distance) continue;
       const Vector ahead = from_to(complex.vertices[tip.vertex], found.foot);
       if (!partner.valid() && (is_tip(found.end) || !is_ahead(end, ahead))) continue;
@@ -77,13 +77,13 @@ class Classifier {
   /// The other tip where the edge dangles as well and ends near enough; none else.
   VertexId end_to_join(const Chain& line, const Vector& end, const Nearest& found,
                        EdgeId candidate) const {
-    if (found.squared_distance > work_.squared_within) return {};
+    if (found.squared_distance > subject_.squared_within) return {};
     const ExactComplex& complex = graph_.complex();
     const Point& p = complex.vertices[line.first];
     VertexId best;
     for (const VertexId v : {complex.edges[candidate].tail, complex.edges[candidate].head}) {
       if (!graph_.is_tip(v) || !can_join(line, end, v)) continue;
-      if (squared_distance(p, complex.vertices[v]) > work_.squared_within) continue;
+      if (squared_distance(p, complex.vertices[v]) > subject_.squared_within) continue;
       if (best.valid() &&
           squared_distance(p, complex.vertices[v]) >= squared_distance(p, complex.vertices[best]))
         continue;
@@ -95,11 +95,11 @@ class Classifier {
   bool can_join(const Chain& line, const Vector& end, VertexId other) const {
     if (is_side_by_side(end, direction(graph_, other))) return false;
     // The ends of a line that is itself as small are no gap.
-    return line.last != other || !graph_.is_within(line, work_.within);
+    return line.last != other || !graph_.is_within(line, subject_.within);
   }
 
   bool is_overshoot(const Chain& line) const {
-    return goes_beyond(work_, line) && graph_.is_within(line, work_.within);
+    return goes_beyond(subject_, line) && graph_.is_within(line, subject_.within);
   }
 
   /// Whether the line is shorter than the root of `squared`: multiply both by that root.
@@ -109,18 +109,18 @@ class Classifier {
     return scaled.compare(squared) < 0;
   }
 
-  const Work& work_;
+  const Subject& subject_;
   const LineGraph& graph_;
 };
 
 }  // namespace
 
-bool goes_beyond(const Work& work, const Chain& line) {
-  if (work.graph.degree(line.last) < 3) return false;
-  const Point& junction = work.graph.complex().vertices[line.last];
-  const auto sources = work.graph.complex().edge_sources[line.edges.back()];
+bool goes_beyond(const Subject& subject, const Chain& line) {
+  if (subject.graph.degree(line.last) < 3) return false;
+  const Point& junction = subject.graph.complex().vertices[line.last];
+  const auto sources = subject.graph.complex().edge_sources[line.edges.back()];
   return std::any_of(sources.begin(), sources.end(), [&](SegmentId s) {
-    const Segment segment = work.input.segments[s];
+    const Segment segment = subject.input.segments[s];
     return segment.a != junction && segment.b != junction;
   });
 }
@@ -130,11 +130,11 @@ const Tip& Tips::at(VertexId v) const {
                                [&](const Tip& tip) { return tip.vertex < v; });
 }
 
-Tips classify_tips(const Work& work) {
+Tips classify_tips(const Subject& subject) {
   Tips result;
-  const Classifier classifier(work);
-  for (std::size_t v = 0; v < work.graph.complex().vertices.size(); ++v) {
-    if (!work.graph.is_tip(VertexId(v))) continue;
+  const Classifier classifier(subject);
+  for (std::size_t v = 0; v < subject.graph.complex().vertices.size(); ++v) {
+    if (!subject.graph.is_tip(VertexId(v))) continue;
     auto [tip, cut_short] = classifier.classify(VertexId(v));
     result.tips.push_back(std::move(tip));
     result.cut_short += cut_short ? 1 : 0;

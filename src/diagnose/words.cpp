@@ -43,11 +43,11 @@ std::string in_edges(const Defect& defect) {
   return defect.edges.size() == 1 ? "" : fmt::format(", in {} edges", defect.edges.size());
 }
 
-std::string loose_line(const Work& work, const Defect& dangle, const std::string& size) {
+std::string loose_line(const Subject& subject, const Defect& dangle, const std::string& size) {
   if (dangle.vertices.size() == 2)
     return fmt::format("a line of length {}{} has two loose ends", size, in_edges(dangle));
-  const Chain line = work.graph.chain(dangle.vertices[0], dangle.edges[0]);
-  return goes_beyond(work, line)
+  const Chain line = subject.graph.chain(dangle.vertices[0], dangle.edges[0]);
+  return goes_beyond(subject, line)
              ? fmt::format("a line goes {}{} beyond the last one that it crosses", size,
                            in_edges(dangle))
              : fmt::format("a line of length {}{} has a loose end", size, in_edges(dangle));
@@ -55,7 +55,7 @@ std::string loose_line(const Work& work, const Defect& dangle, const std::string
 
 }  // namespace
 
-std::string describe(const Work& work, const Defect& defect) {
+std::string describe(const Subject& subject, const Defect& defect) {
   const std::string size = number(defect.size);
   switch (defect.kind) {
     case DefectKind::Duplicate:
@@ -73,7 +73,7 @@ std::string describe(const Work& work, const Defect& defect) {
                  ? fmt::format("two vertices are {} apart", size)
                  : fmt::format("a vertex is {} away from a line that it is not on", size);
     case DefectKind::Dangle:
-      return loose_line(work, defect, size);
+      return loose_line(subject, defect, size);
     case DefectKind::Bridge:
       return fmt::format("a line of length {}{} is the only connection of two closed parts", size,
                          in_edges(defect));

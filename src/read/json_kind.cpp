@@ -40,9 +40,9 @@ auto find(const Names& names, std::string_view name) {
 }
 
 /// A target of parse_json that looks at the members of the outermost value.
-class Teller {
+class KindFinder {
  public:
-  explicit Teller(ByteStream& bytes) : bytes_(bytes) {}
+  explicit KindFinder(ByteStream& bytes) : bytes_(bytes) {}
 
   bool done() const { return kind_.has_value(); }
   std::optional<JsonKind> kind() const { return kind_; }
@@ -81,7 +81,7 @@ class Teller {
 }  // namespace
 
 JsonKind json_kind(ByteStream& bytes) {
-  Teller teller(bytes);
+  KindFinder teller(bytes);
   parse_json(bytes, teller);
   if (teller.kind()) return *teller.kind();
   throw Error(

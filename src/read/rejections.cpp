@@ -11,15 +11,16 @@ void Rejections::add(const Source& source, const std::string& reason, const std:
     listed_.push_back(make_rejected(source, reason, text));
     return;
   }
-  const bool too_many = more_.size() >= kReasons && !more_.contains(reason);
-  More& more = more_[too_many ? "for other reasons" : reason];
-  if (more.count++ == 0) more.first = source;
+  const bool too_many = unlisted_.size() >= kReasons && !unlisted_.contains(reason);
+  Unlisted& unlisted = unlisted_[too_many ? "for other reasons" : reason];
+  if (unlisted.count++ == 0) unlisted.first = source;
 }
 
 std::vector<Rejected> Rejections::finish() && {
-  for (auto& [reason, more] : more_) {
-    const std::string count = std::to_string(more.count);
-    listed_.push_back(make_rejected(more.first, reason, count + " more like this from here on"));
+  for (auto& [reason, unlisted] : unlisted_) {
+    const std::string count = std::to_string(unlisted.count);
+    listed_.push_back(
+        make_rejected(unlisted.first, reason, count + " more like this from here on"));
   }
   return std::move(listed_);
 }

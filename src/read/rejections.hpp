@@ -21,13 +21,14 @@ class Rejections {
 
  private:
   static constexpr std::size_t kReasons = 1'000;
-  struct More {
+  /// Items beyond those that are listed one by one.
+  struct Unlisted {
     Source first;
     std::uint64_t count = 0;
   };
 
   std::vector<Rejected> listed_;
-  std::map<std::string, More> more_;
+  std::map<std::string, Unlisted> unlisted_;  ///< by reason
 };
 
 }  // namespace plumbline

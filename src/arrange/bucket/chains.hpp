@@ -19,11 +19,11 @@ struct Chains {
   std::span<const std::uint32_t> operator[](LineId line) const { return vertices[line]; }
 };
 
-/// Decides about meetings on a line. Exact.
+/// The order of meetings on the same line. **Exact**.
 template <class Kernel>
-class Along {
+class OrderOnLine {
  public:
-  Along(const Kernel& kernel, const std::vector<Crossing>& crossings)
+  OrderOnLine(const Kernel& kernel, const std::vector<Crossing>& crossings)
       : kernel_(kernel), crossings_(crossings) {}
 
   bool is_end(MeetingId m) const { return m < 2 * kernel_.size(); }
@@ -111,18 +111,18 @@ inline Grouped<Hit> collect_hits(std::size_t line_count, const std::vector<Meeti
 
 /// Sorts the hits of a line and unites those at the same point.
 template <class Kernel>
-void sort_hits(LineId s, std::span<Hit> hits, double error, const Along<Kernel>& along,
+void sort_hits(LineId s, std::span<Hit> hits, double error, const OrderOnLine<Kernel>& order,
                UnionFind& same) {
   if (hits.size() < 2) return;
   std::sort(hits.begin(), hits.end(), [&](const Hit& h, const Hit& k) {
     if (h.at + error < k.at) return true;
     if (k.at + error < h.at) return false;
-    return along.compare(s, h.meeting, k.meeting) < 0;
+    return order.compare(s, h.meeting, k.meeting) < 0;
   });
   for (std::size_t i = 1; i < hits.size(); ++i) {
     // Negated, so that a parameter that is no number is in doubt.
     if (!(hits[i].at > hits[i - 1].at + error) &&
-        along.compare(s, hits[i - 1].meeting, hits[i].meeting) == 0) {
+        order.compare(s, hits[i - 1].meeting, hits[i].meeting) == 0) {
       same.unite(hits[i - 1].meeting, hits[i].meeting);
     }
   }
@@ -163,7 +163,7 @@ template <class Kernel>
 Chains make_chains(const Scene<Kernel>& scene, const std::vector<Crossing>& crossings,
                    Grouped<Hit>& hits, Job& job) {
   const std::size_t line_count = scene.kernel.size();
-  const Along<Kernel> along(scene.kernel, crossings);
+  const OrderOnLine<Kernel> order(scene.kernel, crossings);
   UnionFind same(scene.same_end, 2 * line_count + crossings.size());
   const auto hits_of = [&](std::size_t s) {
     return std::span<Hit>(hits.items).subspan(hits.begin[s], hits.begin[s + 1] - hits.begin[s]);
@@ -172,7 +172,7 @@ Chains make_chains(const Scene<Kernel>& scene, const std::vector<Crossing>& cros
       line_count,
       [&](std::size_t s) {
         sort_hits(static_cast<LineId>(s), hits_of(s), scene.parameter_error(static_cast<LineId>(s)),
-                  along, same);
+                  order, same);
       },
       kLinesPerTask);
   Chains chains;

@@ -81,7 +81,7 @@ class Rays {
         approx_(approx),
         buckets_(buckets),
         chains_(chains),
-        along_(kernel, crossings) {}
+        order_(kernel, crossings) {}
 
   /// The halfedge just below the first end of a line, running rightwards, on a line just right of
   /// it; none if there is nothing.
@@ -124,7 +124,7 @@ class Rays {
     const auto chain = chains_[s];
     const auto right = std::partition_point(
         chain.begin() + 1, chain.end() - 1,
-        [&](std::uint32_t v) { return along_.compare_x(s, chains_.meeting[v], end) <= 0; });
+        [&](std::uint32_t v) { return order_.compare_x(s, chains_.meeting[v], end) <= 0; });
     return EdgeId(first_edge(chains_, s) + static_cast<std::size_t>(right - chain.begin()) - 1);
   }
 
@@ -132,7 +132,7 @@ class Rays {
   std::span<const Approx> approx_;
   const Buckets& buckets_;
   const Chains& chains_;
-  const Along<Kernel> along_;
+  const OrderOnLine<Kernel> order_;
 };
 
 }  // namespace plumbline::bucket

@@ -75,7 +75,7 @@ class Pencils {
 
   /// Sorts the lines by their extent across the mean direction, inside this bucket.
   void sort_across(std::span<const LineId> lines) {
-    const PointD normal = across(lines, scene_.approx).normal;
+    const PointD normal = mean_normal(lines, scene_.approx).normal;
     members_.reserve(lines.size());
     for (const LineId line : lines) {
       const auto [p, q] = clipped(scene_.approx[line], box_, margin_);

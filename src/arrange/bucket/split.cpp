@@ -104,7 +104,7 @@ PointD best_normal(const Box& box, const std::vector<LineId>& members,
   const PointD x{1, 0}, y{0, 1};
   const std::size_t along_x = size(x), along_y = size(y), least = std::min(along_x, along_y);
   if (static_cast<double>(least) > kGood * static_cast<double>(count)) {
-    const Across common = across(some, lines);
+    const MeanNormal common = mean_normal(some, lines);
     if (common.agreement > kAligned && size(common.normal) < least) return common.normal;
   }
   return along_y < along_x ? y : x;
@@ -112,7 +112,7 @@ PointD best_normal(const Box& box, const std::vector<LineId>& members,
 
 }  // namespace
 
-Across across(std::span<const LineId> members, std::span<const Approx> lines) {
+MeanNormal mean_normal(std::span<const LineId> members, std::span<const Approx> lines) {
   double c = 0, s = 0;  // of the doubled angle, so that opposite directions agree
   for (const LineId line : members) {
     const Approx& l = lines[line];

@@ -32,11 +32,11 @@ Split split(const Box& box, const std::vector<LineId>& members, std::span<const 
             double margin);
 
 /// The unit vector across the mean direction of lines, and how much they agree in it (0 to 1).
-struct Across {
+struct MeanNormal {
   PointD normal;
   double agreement;
 };
-Across across(std::span<const LineId> members, std::span<const Approx> lines);
+MeanNormal mean_normal(std::span<const LineId> members, std::span<const Approx> lines);
 
 /// The ends of the part of a line within a box, widened by `slack`; the whole line where rounding
 /// leaves nothing.

@@ -12,8 +12,8 @@ namespace {
 constexpr int kCentre = 10;
 constexpr int kRadius = 40;
 
-Drawn chain(Chords chords, Plane plane, const char* curve) {
-  Drawn drawn;
+DrawnEntity chain(Chords chords, Plane plane, const char* curve) {
+  DrawnEntity drawn;
   if (plane == Plane::Back) mirror_x(chords.points);
   append_chain(drawn.segments, chords.points);
   drawn.replaced.push_back(by_chords(curve, chords.bound));
@@ -29,12 +29,12 @@ Ellipse circle_of(const Entity& entity) {
 }
 
 /// The part of an ellipse between two angles, counter-clockwise.
-Drawn draw_part(const Ellipse& ellipse, const Rational& from, const Rational& to, Plane plane,
-                const char* curve, Pen& pen) {
+DrawnEntity draw_part(const Ellipse& ellipse, const Rational& from, const Rational& to, Plane plane,
+                      const char* curve, Pen& pen) {
   const ApproximatePoint start = circle_point(from, pen.angle_bound);
   const ApproximatePoint end = circle_point(to, pen.angle_bound);
   if (start.point == end.point) throw Unusable{"arc of an angle below the bound", {}};
-  Drawn drawn = chain(pen.arc({ellipse, start.point, end.point, false}), plane, curve);
+  DrawnEntity drawn = chain(pen.arc({ellipse, start.point, end.point, false}), plane, curve);
   const Rational bound = std::max(start.bound, end.bound);
   if (bound != 0) {
     drawn.replaced.push_back({std::string("end of an ") + curve, nearest_double(bound), "rad"});
@@ -58,11 +58,11 @@ Rational within_turn(const Rational& degrees) {
 
 }  // namespace
 
-Replaced by_chords(const char* curve, double bound) {
+Substitution by_chords(const char* curve, double bound) {
   return {std::string(curve) + " by chords", bound, "units"};
 }
 
-Drawn draw_arc(const Entity& entity, Pen& pen) {
+DrawnEntity draw_arc(const Entity& entity, Pen& pen) {
   const Ellipse circle = circle_of(entity);
   const Rational from = entity.number(50).rational();
   const Rational to = entity.number(51).rational();
@@ -72,11 +72,11 @@ Drawn draw_arc(const Entity& entity, Pen& pen) {
   return draw_part(circle, from, to, plane, "arc", pen);
 }
 
-Drawn draw_circle(const Entity& entity, Pen& pen) {
+DrawnEntity draw_circle(const Entity& entity, Pen& pen) {
   return chain(pen.ellipse(circle_of(entity)), plane_of(entity), "circle");
 }
 
-Drawn draw_ellipse(const Entity& entity, Pen& pen) {
+DrawnEntity draw_ellipse(const Entity& entity, Pen& pen) {
   const Point centre = entity.exact_point(kCentre);
   const Point u = entity.exact_point(11);
   // The normal says on which side of u lies v; the centre and u are in coordinates of the drawing.
@@ -97,7 +97,7 @@ Drawn draw_ellipse(const Entity& entity, Pen& pen) {
     return draw_part(ellipse, from, to, Plane::Front, "ellipse", pen);
   }
   if (abs(to - from) < 1) throw Unusable{"arc of an angle below the bound", {}};
-  Drawn whole = chain(pen.ellipse(ellipse), Plane::Front, "ellipse");
+  DrawnEntity whole = chain(pen.ellipse(ellipse), Plane::Front, "ellipse");
   whole.replaced.push_back({"end of a whole ellipse by its start", 1e-5, "rad"});
   return whole;
 }

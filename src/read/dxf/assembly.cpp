@@ -15,14 +15,14 @@ constexpr const char* kLayerZero = "0";
 class Assembly {
  public:
   Assembly(Drawing& drawing, const std::string& file_name)
-      : drawing_(drawing), made_(drawing.spaces.size()) {
+      : drawing_(drawing), structs_of_(drawing.spaces.size()) {
     structure_.files = {file_name};
     structure_.y_up = true;
   }
 
   Structure run() && {
-    for (std::size_t s = 0; s < made_.size(); ++s) {
-      made_[s].layers.resize(drawing_.spaces[s].layers.size());
+    for (std::size_t s = 0; s < structs_of_.size(); ++s) {
+      structs_of_[s].layers.resize(drawing_.spaces[s].layers.size());
     }
     structure_.root = struct_of(0, false);
     while (!waiting_.empty()) {
@@ -40,7 +40,8 @@ class Assembly {
     bool without_zero;
     StructId id;
   };
-  struct Made {
+  /// The Structs made so far of a space.
+  struct SpaceStructs {
     std::array<std::optional<StructId>, 2> whole;  ///< indexed by without_zero
     std::vector<std::optional<StructId>> layers;
   };
@@ -51,7 +52,7 @@ class Assembly {
   }
 
   StructId struct_of(std::size_t space, bool without_zero) {
-    std::optional<StructId>& id = made_[space].whole[without_zero ? 1 : 0];
+    std::optional<StructId>& id = structs_of_[space].whole[without_zero ? 1 : 0];
     if (!id) {
       id = append({drawing_.spaces[space].name, space == 0 ? "" : "block", {}});
       waiting_.push_back({space, without_zero, *id});
@@ -73,7 +74,7 @@ class Assembly {
   }
 
   StructId layer_struct(std::size_t space, std::size_t index) {
-    std::optional<StructId>& id = made_[space].layers[index];
+    std::optional<StructId>& id = structs_of_[space].layers[index];
     if (!id) {
       auto& layer = drawing_.spaces[space].layers[index];
       Struct made{layer.name, "layer", {}};
@@ -141,7 +142,7 @@ class Assembly {
 
   Drawing& drawing_;
   Structure structure_;
-  std::vector<Made> made_;
+  std::vector<SpaceStructs> structs_of_;
   std::vector<Part> waiting_;
   std::size_t items_left_ = kMaxArrayItems;
 };

@@ -6,15 +6,15 @@ namespace plumbline::dxf {
 
 /// From group 50 to group 51, counter-clockwise; whole where they differ by a multiple of 360
 /// degrees. Throws, like the others: Unusable.
-Drawn draw_arc(const Entity& entity, Pen& pen);
-Drawn draw_circle(const Entity& entity, Pen& pen);
+DrawnEntity draw_arc(const Entity& entity, Pen& pen);
+DrawnEntity draw_circle(const Entity& entity, Pen& pen);
 /// From parameter 41 to 42, in radians; whole where they differ by a turn within the digits that
 /// writers use, which goes into the ledger.
-Drawn draw_ellipse(const Entity& entity, Pen& pen);
+DrawnEntity draw_ellipse(const Entity& entity, Pen& pen);
 /// By its control points, knots and weights.
-Drawn draw_spline(const Entity& entity, Pen& pen);
+DrawnEntity draw_spline(const Entity& entity, Pen& pen);
 
 /// What the ledger says of chords in place of a curve.
-Replaced by_chords(const char* curve, double bound);
+Substitution by_chords(const char* curve, double bound);
 
 }  // namespace plumbline::dxf

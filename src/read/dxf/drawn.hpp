@@ -9,16 +9,16 @@
 namespace plumbline::dxf {
 
 /// A replacement of what the file says, by how much at most.
-struct Replaced {
+struct Substitution {
   std::string what;
   double bound = 0;
   const char* unit = "";
 };
 
 /// What one entity draws, in the coordinates of the space that holds it.
-struct Drawn {
+struct DrawnEntity {
   SegmentList segments;
-  std::vector<Replaced> replaced;
+  std::vector<Substitution> replaced;
   std::vector<Unusable> refused;  ///< parts that take no part
 };
 

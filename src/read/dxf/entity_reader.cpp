@@ -123,12 +123,12 @@ void EntityReader::finish() {
 void EntityReader::add_insert(const Entity& entity, const Source& source, std::size_t space,
                               const Layers::Layer& layer) {
   Space& in = drawing_.spaces[space];
-  std::vector<Replaced> replaced;
+  std::vector<Substitution> replaced;
   const std::string_view name = entity.text(kBlockName);
   Reference reference{source, names_.utf8(name),
                       insert_of(entity, names_.key(name), pen_.angle_bound, replaced), false};
   const Source at = in.placed(source, layer.name);
-  for (const Replaced& item : replaced) in.tally.replace(at, item);
+  for (const Substitution& item : replaced) in.tally.replace(at, item);
   if (has_height(entity)) in.tally.leave_out(at, kHeightLeftOut);
   const bool inherits = space != 0 && layer.name == kLayerZero;
   if (pen_.visible_only && layer.state == LayerState::Off && !inherits) {
@@ -139,11 +139,11 @@ void EntityReader::add_insert(const Entity& entity, const Source& source, std::s
   in.add(layer.name, std::move(reference));
 }
 
-void EntityReader::add_drawn(Drawn drawn, const Source& source, std::size_t space,
+void EntityReader::add_drawn(DrawnEntity drawn, const Source& source, std::size_t space,
                              const std::string& layer, bool has_height) {
   Space& in = drawing_.spaces[space];
   const Source at = in.placed(source, layer);
-  for (const Replaced& item : drawn.replaced) in.tally.replace(at, item);
+  for (const Substitution& item : drawn.replaced) in.tally.replace(at, item);
   for (const Unusable& problem : drawn.refused) {
     if (problem.text.empty()) {
       in.tally.leave_out(at, problem.reason);

@@ -43,8 +43,8 @@ class EntityReader {
   void add_vertex(const Entity& entity, const Source& source);
   void add_insert(const Entity& entity, const Source& source, std::size_t space,
                   const Layers::Layer& layer);
-  void add_drawn(Drawn drawn, const Source& source, std::size_t space, const std::string& layer,
-                 bool has_height);
+  void add_drawn(DrawnEntity drawn, const Source& source, std::size_t space,
+                 const std::string& layer, bool has_height);
 
   Drawing& drawing_;
   const Names& names_;

@@ -27,7 +27,7 @@ std::size_t copies(const Entity& entity, int code, const Rational& distance) {
 }  // namespace
 
 Insert insert_of(const Entity& entity, std::string block, double angle_bound,
-                 std::vector<Replaced>& replaced) {
+                 std::vector<Substitution>& replaced) {
   const Number zero;
   const Number one = Number::decimal(1, 0);
   Insert insert;

@@ -23,6 +23,6 @@ inline constexpr std::size_t kMaxCopies = 1'000'000;
 /// An INSERT record, without its block; appends to `replaced` what the angle's rational rotation
 /// replaces. A direction in which copies are 0 apart has one. Throws: Unusable.
 Insert insert_of(const Entity& entity, std::string block, double angle_bound,
-                 std::vector<Replaced>& replaced);
+                 std::vector<Substitution>& replaced);
 
 }  // namespace plumbline::dxf

@@ -23,7 +23,7 @@ constexpr std::int64_t kFaceVertex = 128;
 bool has(std::int64_t flags, std::int64_t flag) { return (flags & flag) != 0; }
 
 /// The grid of rows and columns, each edge once.
-Drawn draw_mesh(const Polyline& mesh) {
+DrawnEntity draw_mesh(const Polyline& mesh) {
   if (has(mesh.flags, kSplineFit) || mesh.smoothing != 0) throw Unusable{"smoothed mesh", {}};
   const auto count = static_cast<std::int64_t>(mesh.vertices.size());
   if (mesh.rows < 1 || mesh.columns < 1 || count % mesh.rows != 0 ||
@@ -34,7 +34,7 @@ Drawn draw_mesh(const Polyline& mesh) {
   }
   const auto rows = static_cast<std::size_t>(mesh.rows);
   const auto columns = static_cast<std::size_t>(mesh.columns);
-  Drawn drawn;
+  DrawnEntity drawn;
   const auto join = [&](std::size_t a, std::size_t b) {
     drawn.segments.push_back(mesh.vertices[a].point, mesh.vertices[b].point);
   };
@@ -51,7 +51,7 @@ Drawn draw_mesh(const Polyline& mesh) {
 }
 
 void draw_face(const PolylineVertex& face, const std::vector<NumberPoint>& points,
-               bool visible_only, Drawn& drawn) {
+               bool visible_only, DrawnEntity& drawn) {
   const auto end = std::find(face.face.begin(), face.face.end(), 0);
   const auto corner = [&points](std::int64_t index) -> const NumberPoint& {
     // A negative index hides the edge that starts there.
@@ -72,12 +72,12 @@ void draw_face(const PolylineVertex& face, const std::vector<NumberPoint>& point
   }
 }
 
-Drawn draw_polyface(const Polyline& mesh, bool visible_only) {
+DrawnEntity draw_polyface(const Polyline& mesh, bool visible_only) {
   std::vector<NumberPoint> points;
   for (const PolylineVertex& vertex : mesh.vertices) {
     if (has(vertex.flags, kMeshVertex)) points.push_back(vertex.point);
   }
-  Drawn drawn;
+  DrawnEntity drawn;
   for (const PolylineVertex& vertex : mesh.vertices) {
     if (has(vertex.flags, kMeshVertex) || !has(vertex.flags, kFaceVertex)) continue;
     try {
@@ -114,7 +114,7 @@ PolylineVertex polyline_vertex_of(const Entity& entity) {
   return vertex;
 }
 
-Drawn draw_polyline(const Polyline& polyline, Pen& pen) {
+DrawnEntity draw_polyline(const Polyline& polyline, Pen& pen) {
   if (has(polyline.flags, kPolyface)) return draw_polyface(polyline, pen.visible_only);
   if (has(polyline.flags, kMesh)) return draw_mesh(polyline);
   std::vector<Vertex> vertices;
@@ -126,14 +126,14 @@ Drawn draw_polyline(const Polyline& polyline, Pen& pen) {
       vertices.push_back({vertex.point, has(polyline.flags, kInSpace) ? Number() : vertex.bulge});
     }
   }
-  Drawn drawn = draw_polyline(vertices, has(polyline.flags, kClosed), polyline.plane, pen);
+  DrawnEntity drawn = draw_polyline(vertices, has(polyline.flags, kClosed), polyline.plane, pen);
   drawn.refused.insert(drawn.refused.end(), frame.begin(), frame.end());
   return drawn;
 }
 
-Drawn draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plane plane, Pen& pen) {
+DrawnEntity draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plane plane, Pen& pen) {
   if (vertices.size() < 2) throw Unusable{"polyline of fewer than two vertices", {}};
-  Drawn drawn;
+  DrawnEntity drawn;
   double bound = 0;
   bool has_arc = false;
   const auto draw = [&](const Vertex& from, const Vertex& to) {

@@ -31,6 +31,6 @@ PolylineVertex polyline_vertex_of(const Entity& entity);
 /// Lines and arcs of a polyline in the plane or in space, the grid of a polygon mesh, the outlines
 /// of the faces of a polyface mesh (a common edge once for each). Frames of fitted curves are
 /// `refused`. Throws: Unusable.
-Drawn draw_polyline(const Polyline& polyline, Pen& pen);
+DrawnEntity draw_polyline(const Polyline& polyline, Pen& pen);
 
 }  // namespace plumbline::dxf

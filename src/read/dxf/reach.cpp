@@ -6,9 +6,9 @@ namespace plumbline::dxf {
 namespace {
 
 /// Finds the spaces below the model space, without recursion.
-class Reach {
+class SpaceSearch {
  public:
-  explicit Reach(const Drawing& drawing, const std::string& file_name)
+  explicit SpaceSearch(const Drawing& drawing, const std::string& file_name)
       : drawing_(drawing), file_name_(file_name), state_(drawing.spaces.size(), State::New) {}
 
   std::vector<bool> find() && {
@@ -76,7 +76,7 @@ class Reach {
 }  // namespace
 
 std::vector<bool> reached_spaces(const Drawing& drawing, const std::string& file_name) {
-  return Reach(drawing, file_name).find();
+  return SpaceSearch(drawing, file_name).find();
 }
 
 }  // namespace plumbline::dxf

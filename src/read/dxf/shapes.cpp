@@ -16,13 +16,13 @@ constexpr int kElevation = 38;
 constexpr int kFlags = 70;
 constexpr std::int64_t kClosed = 1;
 
-Drawn draw_line(const Entity& entity, Pen& /*pen*/) {
-  Drawn drawn;
+DrawnEntity draw_line(const Entity& entity, Pen& /*pen*/) {
+  DrawnEntity drawn;
   drawn.segments.push_back(entity.point(10), entity.point(11));
   return drawn;
 }
 
-Drawn draw_lwpolyline(const Entity& entity, Pen& pen) {
+DrawnEntity draw_lwpolyline(const Entity& entity, Pen& pen) {
   constexpr int kX = 10;
   constexpr int kY = 20;
   constexpr int kBulge = 42;
@@ -62,10 +62,10 @@ std::vector<NumberPoint> corners(const Entity& entity) {
   return points;
 }
 
-Drawn draw_face(const Entity& entity, Pen& pen) {
+DrawnEntity draw_face(const Entity& entity, Pen& pen) {
   const std::vector<NumberPoint> points = corners(entity);
   const auto hidden = static_cast<std::uint64_t>(entity.integer(kFlags, 0));
-  Drawn drawn;
+  DrawnEntity drawn;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (pen.visible_only && ((hidden >> i) & 1U) != 0) {
       drawn.refused.push_back({"hidden edge", {}});
@@ -76,18 +76,18 @@ Drawn draw_face(const Entity& entity, Pen& pen) {
   return drawn;
 }
 
-Drawn draw_solid(const Entity& entity, Pen& /*pen*/) {
+DrawnEntity draw_solid(const Entity& entity, Pen& /*pen*/) {
   std::vector<NumberPoint> points = corners(entity);
   if (points.size() == 4) std::swap(points[2], points[3]);  // they come in the shape of a Z
   if (plane_of(entity) == Plane::Back) mirror_x(points);
-  Drawn drawn;
+  DrawnEntity drawn;
   append_ring(drawn.segments, points);
   return drawn;
 }
 
 struct Shape {
   std::string_view type;
-  Drawn (*draw)(const Entity&, Pen&);
+  DrawnEntity (*draw)(const Entity&, Pen&);
 };
 constexpr std::array kShapes{
     Shape{"LINE", draw_line},       Shape{"LWPOLYLINE", draw_lwpolyline},
@@ -107,7 +107,7 @@ const Shape* shape_of(std::string_view type) {
 
 bool is_shape(std::string_view type) { return shape_of(type) != nullptr; }
 
-Drawn draw_shape(const Entity& entity, Pen& pen) {
+DrawnEntity draw_shape(const Entity& entity, Pen& pen) {
   return shape_of(entity.record().type)->draw(entity, pen);
 }
 

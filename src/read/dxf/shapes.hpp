@@ -37,13 +37,13 @@ struct Vertex {
 /// A polyline with arcs, in its own coordinates. A closed one ends exactly where it starts.
 /// Degenerate: no closing segment where the last vertex is the first. Throws: Unusable for fewer
 /// than two vertices.
-Drawn draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plane plane, Pen& pen);
+DrawnEntity draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plane plane, Pen& pen);
 
 /// Whether entities of this type are drawn by `draw_shape`.
 bool is_shape(std::string_view type);
 /// LINE, LWPOLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE, 3DFACE, SOLID and TRACE; of all, the projection
 /// along z. Requires: is_shape of the type. Throws: Unusable.
-Drawn draw_shape(const Entity& entity, Pen& pen);
+DrawnEntity draw_shape(const Entity& entity, Pen& pen);
 /// Whether a z coordinate or an elevation of the entity is not 0.
 bool has_height(const Entity& entity);
 

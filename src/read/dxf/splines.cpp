@@ -104,10 +104,10 @@ WeightedPoint polar_form(const Spline& spline, std::size_t k, std::size_t low) {
 
 }  // namespace
 
-Drawn draw_spline(const Entity& entity, Pen& pen) {
+DrawnEntity draw_spline(const Entity& entity, Pen& pen) {
   const Spline spline = spline_of(entity);
   const std::size_t p = spline.degree;
-  Drawn drawn;
+  DrawnEntity drawn;
   double bound = 0;
   for (std::size_t k = p; k < spline.points.size(); ++k) {
     if (spline.knots[k] == spline.knots[k + 1]) continue;

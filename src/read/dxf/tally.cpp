@@ -30,7 +30,7 @@ void Tally::leave_out(const Source& source, const std::string& reason) {
   add(left_out_, {source.element, reason, {}}, {source, 1, 0});
 }
 
-void Tally::replace(const Source& source, const Replaced& replaced) {
+void Tally::replace(const Source& source, const Substitution& replaced) {
   add(replaced_, {source.element, replaced.what, replaced.unit}, {source, 1, replaced.bound});
 }
 

@@ -19,7 +19,7 @@ class Tally {
   /// the place of the first.
   void leave_out(const Source& source, const std::string& reason);
   /// Listed as one per type and `what`, in the place of the first, with the largest bound.
-  void replace(const Source& source, const Replaced& replaced);
+  void replace(const Source& source, const Substitution& replaced);
 
   void merge(Tally other);
   /// To `rejected` and `ledger`, each by their lines.

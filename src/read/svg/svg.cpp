@@ -69,9 +69,9 @@ class SvgReader {
   /// A container whose children are being visited, or a `use` whose target is.
   struct Frame {
     pugi::xml_node element;
-    pugi::xml_node next;    ///< child
-    pugi::xml_node target;  ///< what a `use` refers to, until it is visited
-    SvgExtents given;       ///< by the `use`, to its target
+    pugi::xml_node next;     ///< child
+    pugi::xml_node target;   ///< what a `use` refers to, until it is visited
+    SvgExtents use_extents;  ///< width and height that a `use` gives its target
     StructId id;
     SvgViewport viewport;
     bool visible = true;
@@ -122,7 +122,7 @@ class SvgReader {
   void step() {
     Frame& frame = frames_.back();
     if (const pugi::xml_node target = std::exchange(frame.target, {})) {
-      visit(target, frame.given);
+      visit(target, frame.use_extents);
       return;
     }
     if (!frame.next) {
@@ -134,7 +134,7 @@ class SvgReader {
     if (child.type() == pugi::node_element) visit(child, {});
   }
 
-  void visit(const pugi::xml_node& element, const SvgExtents& given) {
+  void visit(const pugi::xml_node& element, const SvgExtents& use_extents) {
     const bool is_target = local_name(frames_.back().element) == "use";
     const std::string_view name = local_name(element);
     SvgKind kind = index_.is_svg(element) ? svg_kind(name) : SvgKind::Undrawn;
@@ -150,17 +150,18 @@ class SvgReader {
         throw Unusable{"element " + std::string(name) + " is not understood yet", {}};
       }
       if (is_target) undrawn_.used(element);
-      StructId* const known =
-          index_.is_referenced(element) ? &made(element, given, visible) : nullptr;
+      StructId* const known = index_.is_referenced(element)
+                                  ? &struct_of_same_use(element, use_extents, visible)
+                                  : nullptr;
       if (known != nullptr && known->valid()) {
         structure_.structs[frames_.back().id].body.emplace_back(*known);
         return;
       }
       const bool again = frames_.back().again ||
                          (known != nullptr && !read_.insert(element.internal_object()).second);
-      if (again) spend(element);
+      if (again) count_reading_again(element);
       if (kind == SvgKind::Container) {
-        const StructId id = open(element, name, given, visible);
+        const StructId id = open(element, name, use_extents, visible);
         frames_.back().again = again;
         if (known != nullptr) *known = id;
       } else if (const auto id = add_shape(element, name, known != nullptr)) {
@@ -182,19 +183,20 @@ class SvgReader {
 
   /// The Struct made of a referenced element before, where everything was the same that it depends
   /// on; else an invalid one, to be set.
-  StructId& made(const pugi::xml_node& element, const SvgExtents& given, bool visible) {
+  StructId& struct_of_same_use(const pugi::xml_node& element, const SvgExtents& use_extents,
+                               bool visible) {
     const auto text_of = [](const std::optional<Rational>& extent) {
       return extent ? extent->get_str() : std::string();
     };
     const SvgViewport& around = frames_.back().viewport;
     std::string key = std::to_string(element.offset_debug()) + ' ' + text_of(around.width) + ' ' +
                       text_of(around.height) + ' ' + (visible ? "1 " : "0 ");
-    key.append(given.width).append(" ").append(given.height);
+    key.append(use_extents.width).append(" ").append(use_extents.height);
     return made_[std::move(key)];
   }
 
   /// Starts on the children of a container, or on the target of a `use`.
-  StructId open(const pugi::xml_node& element, std::string_view name, const SvgExtents& given,
+  StructId open(const pugi::xml_node& element, std::string_view name, const SvgExtents& use_extents,
                 bool visible) {
     const auto transform = transform_of(element, name);
     Frame frame = frame_of(element, {});
@@ -205,14 +207,14 @@ class SvgReader {
     if (name == "use") {
       frame.next = {};
       frame.target = target_of(element);
-      frame.given = {attribute(element, "width"), attribute(element, "height")};
+      frame.use_extents = {attribute(element, "width"), attribute(element, "height")};
       const auto& [width, height] = frame.viewport;
       child.body.emplace_back(
           translation(length_attribute(element, "x", width, numbers_).rational(),
                       length_attribute(element, "y", height, numbers_).rational()));
     }
     if (name == "svg" || name == "symbol") {
-      SvgPlacement placement = place_viewport(element, given, frame.viewport, numbers_);
+      SvgPlacement placement = place_viewport(element, use_extents, frame.viewport, numbers_);
       if (placement.clips) reject(element, {"clipping by a viewport is not applied", {}});
       child.body.emplace_back(std::move(placement.map));
       frame.viewport = std::move(placement.inside);
@@ -311,7 +313,7 @@ class SvgReader {
     return result;
   }
 
-  void spend(const pugi::xml_node& element) {
+  void count_reading_again(const pugi::xml_node& element) {
     constexpr std::size_t kElement = 64;
     text_read_again_ +=
         kElement + attribute(element, "d").size() + attribute(element, "points").size();

@@ -80,17 +80,17 @@ class Distinct {
   std::size_t limit_ = kRoom;
 };
 
-/// What one segment's partners do to it.
-struct Cutting {
+/// Where its partners cut a segment.
+struct Cuts {
   Distinct<double> parameters;  ///< quantised
   Distinct<PointD> points;      ///< quantised
 };
 
 /// The original meets a pair twice, first h with k and then k with h, and cuts both segments each
 /// time; their parameters need not be the same.
-Cutting cut(std::size_t h, std::span<const SegmentD> lines, std::span<const Box> boxes,
-            std::span<const SegmentId> partners, const Vcode& vcode) {
-  Cutting result;
+Cuts cut(std::size_t h, std::span<const SegmentD> lines, std::span<const Box> boxes,
+         std::span<const SegmentId> partners, const Vcode& vcode) {
+  Cuts result;
   for (const SegmentId k : partners) {
     if (is_apart(boxes[h], boxes[k])) continue;
     if (const auto found = intersect(lines[h], lines[k])) {
@@ -105,7 +105,7 @@ Cutting cut(std::size_t h, std::span<const SegmentD> lines, std::span<const Box>
 }
 
 /// The distinct quantised segments, by their text, in the order of a dictionary.
-std::vector<Fragment> fragments_of(std::span<const SegmentD> lines, std::vector<Cutting> cuttings,
+std::vector<Fragment> fragments_of(std::span<const SegmentD> lines, std::vector<Cuts> cuts,
                                    const Vcode& vcode) {
   HashTable<std::string> keys;
   std::vector<SegmentD> segments;
@@ -115,9 +115,9 @@ std::vector<Fragment> fragments_of(std::span<const SegmentD> lines, std::vector<
     const auto [fragment, is_new] = keys.insert(key);
     if (is_new) {
       segments.push_back(vcode.quantised(lines[i]));
-      parameters.push_back(std::move(cuttings[i].parameters));
+      parameters.push_back(std::move(cuts[i].parameters));
     } else {
-      parameters[fragment].insert(cuttings[i].parameters);
+      parameters[fragment].insert(cuts[i].parameters);
     }
   }
   std::vector<Fragment> result;
@@ -129,15 +129,15 @@ std::vector<Fragment> fragments_of(std::span<const SegmentD> lines, std::vector<
 
 Intersections line_intersection(std::span<const SegmentD> lines, std::span<const Box> boxes,
                                 const Lists<SegmentId>& buckets, const Vcode& vcode) {
-  std::vector<Cutting> cuttings(lines.size());
+  std::vector<Cuts> cuts(lines.size());
   for_blocks(lines.size(), kLinesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
-      cuttings[h] = cut(h, lines, boxes, buckets[h], vcode);
+      cuts[h] = cut(h, lines, boxes, buckets[h], vcode);
     }
   });
   Distinct<PointD> points;
-  for (const Cutting& cutting : cuttings) points.insert(cutting.points);
-  return {points.take(), fragments_of(lines, std::move(cuttings), vcode)};
+  for (const Cuts& segment_cuts : cuts) points.insert(segment_cuts.points);
+  return {points.take(), fragments_of(lines, std::move(cuts), vcode)};
 }
 
 }  // namespace plumbline::inters

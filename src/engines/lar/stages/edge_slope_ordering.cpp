@@ -7,11 +7,11 @@
 namespace plumbline::lar {
 namespace {
 
-struct Leaving {
+struct LeavingEdge {
   double slope;
   VertexId target;
   HalfedgeId halfedge;
-  friend bool operator<(const Leaving& s, const Leaving& t) {
+  friend bool operator<(const LeavingEdge& s, const LeavingEdge& t) {
     return std::tie(s.slope, s.target, s.halfedge) < std::tie(t.slope, t.target, t.halfedge);
   }
 };
@@ -19,7 +19,7 @@ struct Leaving {
 }  // namespace
 
 Lists<HalfedgeId> edge_slope_ordering(const Graph& graph) {
-  std::vector<std::vector<Leaving>> leaving(graph.vertices.size());
+  std::vector<std::vector<LeavingEdge>> leaving(graph.vertices.size());
   const auto add = [&](VertexId from, VertexId to, HalfedgeId h) {
     const PointD& p = graph.vertices[from];
     const PointD& q = graph.vertices[to];
@@ -33,10 +33,10 @@ Lists<HalfedgeId> edge_slope_ordering(const Graph& graph) {
   }
   Lists<HalfedgeId> order;
   std::vector<HalfedgeId> around;
-  for (std::vector<Leaving>& list : leaving) {
+  for (std::vector<LeavingEdge>& list : leaving) {
     std::sort(list.begin(), list.end());
     around.clear();
-    for (const Leaving& l : list) around.push_back(l.halfedge);
+    for (const LeavingEdge& l : list) around.push_back(l.halfedge);
     order.push_back(around);
   }
   return order;
