@@ -111,8 +111,8 @@ inline Grouped<Hit> collect_hits(std::size_t line_count, const std::vector<Meeti
 
 /// Sorts the hits of a line and unites those at the same point.
 template <class Kernel>
-void sort_hits(LineId s, std::span<Hit> hits, double error, const OrderOnLine<Kernel>& order,
-               UnionFind& same) {
+void sort_hits_of_line(LineId s, std::span<Hit> hits, double error,
+                       const OrderOnLine<Kernel>& order, UnionFind& same) {
   if (hits.size() < 2) return;
   std::sort(hits.begin(), hits.end(), [&](const Hit& h, const Hit& k) {
     if (h.at + error < k.at) return true;
@@ -128,19 +128,40 @@ void sort_hits(LineId s, std::span<Hit> hits, double error, const OrderOnLine<Ke
   }
 }
 
-/// Numbers the vertices by their least meetings: ends in the order of their lines, then crossings.
-inline std::vector<std::uint32_t> number_vertices(const UnionFind& same, Chains& chains) {
-  std::vector<std::uint32_t> number(same.size());
-  for (MeetingId m = 0; m < number.size(); ++m) {
+/// The meetings of each line in their order along it, and what vertices they are.
+struct SortedHits {
+  Grouped<Hit> hits;                  ///< per line
+  std::vector<std::uint32_t> vertex;  ///< per meeting
+  std::vector<MeetingId> least;       ///< per vertex the least of its meetings
+};
+
+/// Sorts the hits and numbers the vertices by their least meetings: ends in the order of their
+/// lines, then crossings. `same_end`: per end the least of the ends at the same point.
+template <class Kernel>
+SortedHits sort_hits(const Scene<Kernel>& scene, const std::vector<EndId>& same_end,
+                     const std::vector<Crossing>& crossings, Grouped<Hit> hits, Job& job) {
+  const OrderOnLine<Kernel> order(scene.kernel, crossings);
+  UnionFind same(same_end, same_end.size() + crossings.size());
+  job.for_each(
+      scene.kernel.size(),
+      [&](std::size_t s) {
+        const std::span<Hit> of_line =
+            std::span<Hit>(hits.items).subspan(hits.begin[s], hits.begin[s + 1] - hits.begin[s]);
+        sort_hits_of_line(static_cast<LineId>(s), of_line,
+                          scene.parameter_error(static_cast<LineId>(s)), order, same);
+      },
+      kLinesPerTask);
+  SortedHits sorted{std::move(hits), std::vector<std::uint32_t>(same.size()), {}};
+  for (MeetingId m = 0; m < same.size(); ++m) {
     const MeetingId least = same.find(m);
     if (least == m) {
-      number[m] = static_cast<std::uint32_t>(chains.meeting.size());
-      chains.meeting.push_back(m);
+      sorted.vertex[m] = static_cast<std::uint32_t>(sorted.least.size());
+      sorted.least.push_back(m);
     } else {
-      number[m] = number[least];
+      sorted.vertex[m] = sorted.vertex[least];
     }
   }
-  return number;
+  return sorted;
 }
 
 /// Calls visit(vertex) along a line.
@@ -158,31 +179,17 @@ void walk_line(LineId s, std::span<const Hit> hits, const std::vector<std::uint3
   if (v != before) visit(v);
 }
 
-/// Sorts the hits, too.
-template <class Kernel>
-Chains make_chains(const Scene<Kernel>& scene, const std::vector<Crossing>& crossings,
-                   Grouped<Hit>& hits, Job& job) {
-  const std::size_t line_count = scene.kernel.size();
-  const OrderOnLine<Kernel> order(scene.kernel, crossings);
-  UnionFind same(scene.same_end, 2 * line_count + crossings.size());
-  const auto hits_of = [&](std::size_t s) {
-    return std::span<Hit>(hits.items).subspan(hits.begin[s], hits.begin[s + 1] - hits.begin[s]);
-  };
-  job.for_each(
-      line_count,
-      [&](std::size_t s) {
-        sort_hits(static_cast<LineId>(s), hits_of(s), scene.parameter_error(static_cast<LineId>(s)),
-                  order, same);
-      },
-      kLinesPerTask);
+inline Chains make_chains(const SortedHits& sorted, Job& job) {
+  const std::size_t line_count = sorted.hits.size();
   Chains chains;
-  const std::vector<std::uint32_t> number = number_vertices(same, chains);
+  chains.meeting = sorted.least;
   std::vector<std::uint32_t>& begin = chains.vertices.begin;
   begin.assign(line_count, 0);
   job.for_each(
       line_count,
       [&](std::size_t s) {
-        walk_line(static_cast<LineId>(s), hits_of(s), number, [&](std::uint32_t) { ++begin[s]; });
+        const auto line = static_cast<LineId>(s);
+        walk_line(line, sorted.hits[line], sorted.vertex, [&](std::uint32_t) { ++begin[s]; });
       },
       kLinesPerTask);
   accumulate(begin);
@@ -190,9 +197,9 @@ Chains make_chains(const Scene<Kernel>& scene, const std::vector<Crossing>& cros
   job.for_each(
       line_count,
       [&](std::size_t s) {
+        const auto line = static_cast<LineId>(s);
         std::uint32_t* next = chains.vertices.items.data() + begin[s];
-        walk_line(static_cast<LineId>(s), hits_of(s), number,
-                  [&](std::uint32_t v) { *next++ = v; });
+        walk_line(line, sorted.hits[line], sorted.vertex, [&](std::uint32_t v) { *next++ = v; });
       },
       kLinesPerTask);
   return chains;

@@ -50,18 +50,18 @@ Result arrange_lines(Kernel kernel, Job& job) {
   const Buckets buckets(approx, margin_of<Kernel>(reach), job);
 
   job.begin_step(0.25);
-  std::vector<EndId> same_end(2 * kernel.size());
-  std::iota(same_end.begin(), same_end.end(), 0U);
-  const Scene<Kernel> scene{kernel, approx, reach, buckets, same_end};
+  const Scene<Kernel> scene{kernel, approx, reach, buckets};
+  const std::vector<EndId> same_end = same_ends(scene, job);
   std::vector<Meetings> found = find_meetings(scene, job);
   job.begin_step(0.2);
   result.crossings = gather_crossings(found, job);
   Grouped<Hit> hits = collect_hits(kernel.size(), found, job);
   found = {};
-  result.chains = make_chains(scene, result.crossings, hits, job);
+  SortedHits sorted = sort_hits(scene, same_end, result.crossings, std::move(hits), job);
+  result.chains = make_chains(sorted, job);
   result.provenance.place(result.chains.vertices);
-  const UnionFind connected = connect_lines(result.crossings, same_end, hits, job);
-  hits = {};
+  const UnionFind connected = connect_lines(result.crossings, same_end, sorted.hits, job);
+  sorted = {};
 
   job.begin_step(0.2);
   Halfedges halfedges = make_halfedges(kernel, result.chains, result.crossings, job);

@@ -10,26 +10,21 @@
 
 namespace plumbline::bucket {
 
-/// Finds out which of the ends in this bucket are the same point.
+/// The ends in this bucket by their points, then by number.
 template <class Kernel>
-void join_ends(const Scene<Kernel>& scene, std::size_t bucket, std::vector<EndId>& ends) {
-  ends.clear();
+std::vector<EndId> sorted_ends(const Scene<Kernel>& scene, std::size_t bucket) {
+  std::vector<EndId> ends;
   const Membership here(scene.buckets, bucket);
   for (const LineId s : scene.buckets.lines(bucket)) {
     for (const EndId e : {first_end(s), last_end(s)}) {
       if (here.contains(scene.place(e))) ends.push_back(e);
     }
   }
-  if (ends.size() < 2) return;
   std::sort(ends.begin(), ends.end(), [&](EndId p, EndId q) {
     const int c = scene.kernel.compare(p, q);
     return c != 0 ? c < 0 : p < q;
   });
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    if (scene.kernel.compare(ends[i - 1], ends[i]) == 0) {
-      scene.same_end[ends[i]] = scene.same_end[ends[i - 1]];
-    }
-  }
+  return ends;
 }
 
 template <class Kernel>
@@ -61,15 +56,31 @@ inline std::vector<std::size_t> balanced_blocks(const Buckets& buckets) {
   return begin;
 }
 
+/// Per end the least of the ends at the same point. They are in one bucket, so blocks of buckets
+/// write about different ends.
+template <class Kernel>
+std::vector<EndId> same_ends(const Scene<Kernel>& scene, Job& job) {
+  std::vector<EndId> same(2 * scene.kernel.size());
+  std::iota(same.begin(), same.end(), 0U);
+  const std::vector<std::size_t> begin = balanced_blocks(scene.buckets);
+  job.for_blocks(begin.size() - 1, 1, [&](std::size_t block, std::size_t) {
+    for (std::size_t b = begin[block]; b < begin[block + 1]; ++b) {
+      const std::vector<EndId> ends = sorted_ends(scene, b);
+      for (std::size_t i = 1; i < ends.size(); ++i) {
+        if (scene.kernel.compare(ends[i - 1], ends[i]) == 0) same[ends[i]] = same[ends[i - 1]];
+      }
+    }
+  });
+  return same;
+}
+
 /// Searches all buckets; one Meetings per block of buckets.
 template <class Kernel>
 std::vector<Meetings> find_meetings(const Scene<Kernel>& scene, Job& job) {
   const std::vector<std::size_t> begin = balanced_blocks(scene.buckets);
   std::vector<Meetings> found(begin.size() - 1);
   job.for_blocks(found.size(), 1, [&](std::size_t block, std::size_t) {
-    std::vector<EndId> ends;
     for (std::size_t b = begin[block]; b < begin[block + 1]; ++b) {
-      join_ends(scene, b, ends);
       search_bucket(scene, b, found[block]);
     }
   });

@@ -37,15 +37,13 @@ struct Meetings {
   std::vector<Through> throughs;
 };
 
-/// What the search for meetings looks at. `same_end`: per end the least of the ends at the same
-/// point; written for the ends in a bucket by whoever searches that bucket.
+/// What the search for meetings looks at.
 template <class Kernel>
 struct Scene {
   const Kernel& kernel;
   std::span<const Approx> approx;
   double reach;  ///< the largest absolute value in `approx`
   const Buckets& buckets;
-  std::vector<EndId>& same_end;
 
   PointD place(EndId end) const {
     const Approx& l = approx[line_of(end)];
