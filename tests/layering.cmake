@@ -36,14 +36,14 @@ room(file error detail)
 room(engines/lar/stages error geometry complex chains)
 room(engines/inters/stages error number engines/lar/stages)
 room(engines/files error number read engine)
-room(engines/lar/explain error arrange engine engines/lar/stages)
-room(engines/inters/explain error engine engines/lar/stages engines/inters/stages engines/lar/explain)
+room(engines/lar/explain error geometry arrange engine engines/lar/stages)
+room(engines/inters/explain error geometry engine engines/lar/stages engines/inters/stages engines/lar/explain)
 room(output error geometry structure complex round diagnose check)
 room(engines/lar/show error complex chains triangulate engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error read chains arrange round check engines/lar/stages engines/inters/stages engines/files)
-room(plumbline error number geometry structure read complex triangulate arrange round compare ladder
-     diagnose engine check engines/lar/stages engines/inters/stages engines/files output engines/lar/show
+room(plumbline error number geometry structure read complex triangulate arrange round compare ladder diagnose
+     engine check engines/lar/stages engines/inters/stages engines/files output engines/lar/show
      engines/inters/show pipeline)
 room(cli error detail read arrange round engines/files output engines/lar/show pipeline plumbline)
 room(checker)

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/point_d.hpp"
+
 namespace plumbline::compare_steps {
 namespace {
 
@@ -53,8 +55,7 @@ std::vector<SolePair> sole_pairs(const FilteredPoints& points, const FilteredPoi
   std::vector<SolePair> result;
   for (std::size_t p = 0; p < there.size(); ++p) {
     if (there[p] == kNoPoint || here[there[p]] != p) continue;
-    const PointD &a = points.rough(p), &b = others.rough(there[p]);
-    result.push_back({p, there[p], std::hypot(a.x - b.x, a.y - b.y)});
+    result.push_back({p, there[p], distance(points.rough(p), others.rough(there[p]))});
   }
   return result;
 }

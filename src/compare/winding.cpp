@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point_d.hpp"
 #include "plumbline/arrange.hpp"
 
 namespace plumbline::compare_steps {
@@ -27,21 +28,18 @@ Windings summed(Windings windings) {
 /// Whether most pieces lie in crowds that no bucket can part, which takes time quadratic in them.
 bool is_crowded(const std::vector<BoundaryPiece>& pieces) {
   constexpr double kTiny = 0x1p-24;  // of the extent
-  double left = 0, right = 0, low = 0, high = 0;
-  std::vector<double> lengths;
+  if (pieces.size() <= kMostTinyPieces) return false;
+  std::vector<PointD> ends;
   for (const BoundaryPiece& piece : pieces) {
-    const PointD a = nearest(piece.a), b = nearest(piece.b);
-    if (lengths.empty()) left = right = a.x, low = high = a.y;
-    left = std::min({left, a.x, b.x});
-    right = std::max({right, a.x, b.x});
-    low = std::min({low, a.y, b.y});
-    high = std::max({high, a.y, b.y});
-    lengths.push_back(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)));
+    ends.push_back(nearest(piece.a));
+    ends.push_back(nearest(piece.b));
   }
-  const double least = kTiny * std::max(right - left, high - low);
-  const auto tiny =
-      std::count_if(lengths.begin(), lengths.end(), [&](double length) { return length < least; });
-  return static_cast<std::size_t>(tiny) > kMostTinyPieces;
+  const double least = kTiny * box_of(ends).longer_side();
+  std::size_t tiny = 0;
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    if (box_of(std::span(ends).subspan(i, 2)).longer_side() < least) ++tiny;
+  }
+  return tiny > kMostTinyPieces;
 }
 
 /// The arrangement, edges with the numbers of the pieces on them.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point_d.hpp"
+
 namespace plumbline::compare_steps {
 namespace {
 
@@ -60,8 +62,7 @@ std::optional<std::size_t> WrongCells::same(const Finding& finding) const {
 /// within what stages move them.
 bool WrongCells::is_near(const Finding& finding, const Finding& other) const {
   if (finding.kind != CellKind::Vertex || comparison_.tolerance == 0) return true;
-  const PointD a = nearest(finding.where), b = nearest(other.where);
-  return std::hypot(a.x - b.x, a.y - b.y) <= kReach * comparison_.tolerance;
+  return distance(nearest(finding.where), nearest(other.where)) <= kReach * comparison_.tolerance;
 }
 
 bool WrongCells::has(const Finding& finding) const { return same(finding).has_value(); }

@@ -19,13 +19,11 @@ constexpr double kLeastLength = 0x1p-500;
 VertexTree::VertexTree(const std::vector<Point>& vertices) {
   const std::size_t n = vertices.size();
   points_.reserve(n);
-  double extent = 0;
   for (const Point& p : vertices) {
     const Point& origin = vertices[n / 2];
     points_.push_back(nearest(Point{p.x - origin.x, p.y - origin.y}));
-    extent = std::max({extent, std::abs(points_.back().x), std::abs(points_.back().y)});
   }
-  margin_ = kMarginOfExtent * extent + 4 * kLeastLength;
+  margin_ = kMarginOfExtent * largest_coordinate(points_) + 4 * kLeastLength;
   for (std::size_t v = 0; v < n; ++v) order_.emplace_back(v);
   if (n > 0) build(0, static_cast<std::uint32_t>(n));
   ordered_.reserve(n);
@@ -33,17 +31,12 @@ VertexTree::VertexTree(const std::vector<Point>& vertices) {
 }
 
 void VertexTree::build(std::uint32_t begin, std::uint32_t end) {
-  const PointD& first = points_[order_[begin]];
-  Node node{first, first, begin, end, 0, kNoLabel};
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const PointD& p = points_[order_[i]];
-    node.low = {std::min(node.low.x, p.x), std::min(node.low.y, p.y)};
-    node.high = {std::max(node.high.x, p.x), std::max(node.high.y, p.y)};
-  }
+  BoxD box{points_[order_[begin]], points_[order_[begin]]};
+  for (std::uint32_t i = begin; i < end; ++i) box.include(points_[order_[i]]);
   const std::size_t at = nodes_.size();
-  nodes_.push_back(node);
+  nodes_.push_back({box, begin, end, 0, kNoLabel});
   if (end - begin <= kLeafSize) return;
-  const bool by_x = node.high.x - node.low.x >= node.high.y - node.low.y;
+  const bool by_x = box.width() >= box.height();
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                    [&](VertexId v, VertexId w) {
@@ -86,12 +79,12 @@ double VertexTree::Query::distance(const PointD& p) const {
 }
 
 bool VertexTree::Query::may_reach(const Node& node, double reach) const {
-  if (std::min(a.x, b.x) - reach > node.high.x || std::max(a.x, b.x) + reach < node.low.x ||
-      std::min(a.y, b.y) - reach > node.high.y || std::max(a.y, b.y) + reach < node.low.y)
+  if (std::min(a.x, b.x) - reach > node.box.high.x || std::max(a.x, b.x) + reach < node.box.low.x ||
+      std::min(a.y, b.y) - reach > node.box.high.y || std::max(a.y, b.y) + reach < node.box.low.y)
     return false;
   // The line keeps clear of the box if it is further from its centre than its corners reach.
-  const double half_x = (node.high.x - node.low.x) / 2, half_y = (node.high.y - node.low.y) / 2;
-  const double x = node.low.x + half_x - a.x, y = node.low.y + half_y - a.y;
+  const double half_x = node.box.width() / 2, half_y = node.box.height() / 2;
+  const double x = node.box.low.x + half_x - a.x, y = node.box.low.y + half_y - a.y;
   return std::abs(unit.x * y - unit.y * x) <=
          std::abs(unit.x) * half_y + std::abs(unit.y) * half_x + reach;
 }

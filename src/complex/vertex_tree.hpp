@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/point_d.hpp"
 #include "plumbline/complex.hpp"
 
 namespace plumbline {
@@ -48,7 +49,7 @@ class VertexTree {
 
  private:
   struct Node {
-    PointD low, high;          ///< the box of its vertices
+    BoxD box;                  ///< of its vertices
     std::uint32_t begin, end;  ///< a range of `order_`
     std::uint32_t right;       ///< the left child is the next node; 0 for a leaf
     std::uint32_t label;       ///< that all its vertices have, or kNoLabel

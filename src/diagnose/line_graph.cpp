@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point_d.hpp"
+
 namespace plumbline::diagnose_steps {
 namespace {
 
@@ -25,13 +27,9 @@ LineGraph::LineGraph(const ExactComplex& complex)
     at_[end[complex.edges[e].tail]++] = EdgeId(e);
     at_[end[complex.edges[e].head]++] = EdgeId(e);
   }
-  double largest = 0;
   points_.reserve(complex.vertices.size());
-  for (const Point& p : complex.vertices) {
-    points_.push_back(nearest(p));
-    largest = std::max({largest, std::abs(points_.back().x), std::abs(points_.back().y)});
-  }
-  slack_ = largest * kRelativeSlack;
+  for (const Point& p : complex.vertices) points_.push_back(nearest(p));
+  slack_ = largest_coordinate(points_) * kRelativeSlack;
 }
 
 Chain LineGraph::chain(VertexId v, EdgeId e) const {
@@ -45,8 +43,7 @@ Chain LineGraph::chain(VertexId v, EdgeId e) const {
 }
 
 double LineGraph::approx_length(EdgeId e) const {
-  const PointD &p = points_[complex_.edges[e].tail], &q = points_[complex_.edges[e].head];
-  return std::hypot(q.x - p.x, q.y - p.y);
+  return distance(points_[complex_.edges[e].tail], points_[complex_.edges[e].head]);
 }
 
 Rational LineGraph::squared_length(EdgeId e) const {

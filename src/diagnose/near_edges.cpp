@@ -5,6 +5,8 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 
+#include "geometry/point_d.hpp"
+
 namespace plumbline::diagnose_steps {
 namespace {
 
@@ -83,7 +85,7 @@ NearEdges::Answer NearEdges::near(VertexId v) const {
       if (edges[e].tail == v || edges[e].head == v) continue;
       const PointD foot =
           nearest_point(p, graph_.rounded(edges[e].tail), graph_.rounded(edges[e].head));
-      const double distance = std::hypot(p.x - foot.x, p.y - foot.y);
+      const double distance = plumbline::distance(p, foot);
       if (distance <= reach) answer.edges.push_back({e, distance, foot});
     }
     if (proposals <= most) break;

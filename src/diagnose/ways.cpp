@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/point_d.hpp"
+
 namespace plumbline::diagnose_steps {
 
 void Ways::find_within(double longest) {
@@ -24,8 +26,7 @@ bool Ways::lead_to(EdgeId e, const PointD& p, double longest) {
   const auto leads = [&](VertexId end) {
     const auto found = lengths_.find(end);
     if (found == lengths_.end()) return false;
-    const PointD& q = graph_.rounded(end);
-    return found->second + std::hypot(q.x - p.x, q.y - p.y) <= longest;
+    return found->second + distance(graph_.rounded(end), p) <= longest;
   };
   const Edge& edge = graph_.complex().edges[e];
   return leads(edge.tail) || leads(edge.head);

@@ -1,18 +1,15 @@
 #include "geometry/filtered_points.hpp"
 
-#include <algorithm>
+#include "geometry/point_d.hpp"
 
 namespace plumbline {
 
 FilteredPoints::FilteredPoints(const std::vector<Point>& points) : points_(points) {
-  double largest = 0;
   rough_.reserve(points.size());
-  for (const Point& p : points) {
-    rough_.push_back({p.x.get_d(), p.y.get_d()});  // truncates, hence monotone
-    largest = std::max({largest, std::abs(rough_.back().x), std::abs(rough_.back().y)});
-  }
+  // Truncates, hence monotone.
+  for (const Point& p : points) rough_.push_back({p.x.get_d(), p.y.get_d()});
   // Truncating to 53 bits loses less than 2^-52 of a number, or 2^-1074.
-  error_ = 0x1p-51 * largest + 0x1p-1022;
+  error_ = 0x1p-51 * largest_coordinate(rough_) + 0x1p-1022;
 }
 
 int FilteredPoints::exact_orientation(std::size_t p, std::size_t q, std::size_t r) const {

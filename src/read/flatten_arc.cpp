@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/point_d.hpp"
 #include "plumbline/error.hpp"
 #include "read/attribute.hpp"
 #include "read/flatten.hpp"
@@ -94,9 +95,7 @@ class WholeCircle {
 
 bool no_farther(const Point& p, const Point& q, double distance) {
   constexpr double kRounding = 1e-15;  // of coordinates up to 1
-  const PointD a = nearest(p);
-  const PointD b = nearest(q);
-  return std::hypot(a.x - b.x, a.y - b.y) + kRounding <= distance;
+  return plumbline::distance(nearest(p), nearest(q)) + kRounding <= distance;
 }
 
 /// The start, then what lies behind it up to the end on the circle, the end. A point next to a

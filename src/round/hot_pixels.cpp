@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point_d.hpp"
 #include "plumbline/error.hpp"
 #include "round/grid.hpp"
 #include "round/pixel.hpp"
@@ -43,12 +44,9 @@ HotPixels::HotPixels(const ExactComplex& complex, const Rational& spacing)
     offsets_.push_back(
         {Rational(points_[v].x - centre.x).get_d(), Rational(points_[v].y - centre.y).get_d()});
   }
-  double largest = 0;
   centres_.reserve(places_.points.size());
-  for (const Point& p : places_.points) {
-    centres_.push_back({p.x.get_d(), p.y.get_d()});
-    largest = std::max({largest, std::abs(centres_.back().x), std::abs(centres_.back().y)});
-  }
+  for (const Point& p : places_.points) centres_.push_back({p.x.get_d(), p.y.get_d()});
+  const double largest = largest_coordinate(centres_);
   // Doubles hold integers up to 2^53; of a larger one get_d loses less than 2^-52.
   if (largest >= kExactIntegers) error_ = 0x1p-51 * largest;
 }

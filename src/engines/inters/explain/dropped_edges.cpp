@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/point_d.hpp"
+
 namespace plumbline::inters {
 namespace {
 
@@ -11,14 +13,11 @@ using lar::VertexPair;
 
 /// Area of the box.
 double extent(const Trace& trace, const std::vector<VertexPair>& component) {
-  PointD low = trace.lar.vertices[component.front()[0]], high = low;
+  std::vector<PointD> points;
   for (const VertexPair& edge : component)
-    for (const VertexId v : edge) {
-      const PointD& p = trace.lar.vertices[v];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  return (high.x - low.x) * (high.y - low.y);
+    for (const VertexId v : edge) points.push_back(trace.lar.vertices[v]);
+  const BoxD box = box_of(points);
+  return box.width() * box.height();
 }
 
 double distance(const PointD& p, const SegmentD& s) {
@@ -26,7 +25,7 @@ double distance(const PointD& p, const SegmentD& s) {
   const double squared = x * x + y * y;
   const double at =
       squared == 0 ? 0 : std::clamp(((p.x - s.a.x) * x + (p.y - s.a.y) * y) / squared, 0.0, 1.0);
-  return std::hypot(s.a.x + at * x - p.x, s.a.y + at * y - p.y);
+  return plumbline::distance({s.a.x + at * x, s.a.y + at * y}, p);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "geometry/point_d.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
 namespace plumbline::inters {
@@ -24,7 +25,6 @@ constexpr double kRounded = 0.6;
 double cross(const PointD& o, const PointD& p, const PointD& q) {
   return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
 }
-double distance(const PointD& p, const PointD& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 double length(const SegmentD& s) { return distance(s.a, s.b); }
 
 PointD point_at(const SegmentD& s, double parameter) {

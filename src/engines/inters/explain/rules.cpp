@@ -7,6 +7,7 @@
 
 #include "engine/radius_below.hpp"
 #include "engines/inters/explain/run.hpp"
+#include "geometry/point_d.hpp"
 
 namespace plumbline::inters {
 namespace {
@@ -26,22 +27,14 @@ void set(Cause& cause, const char* rule, std::string explanation, std::string ad
 
 constexpr const char* kDecideExactly = "decide it exactly: plumbline arrange";
 
-double largest_coordinate(const Trace& trace) {
-  double largest = 0;
-  for (const auto& [a, b] : trace.lines)
-    for (const double c : {a.x, a.y, b.x, b.y}) largest = std::max(largest, std::abs(c));
-  return largest;
+std::vector<PointD> ends_of(const Trace& trace) {
+  std::vector<PointD> ends;
+  for (const auto& [a, b] : trace.lines) ends.insert(ends.end(), {a, b});
+  return ends;
 }
 
 double longer_side(const Trace& trace) {
-  if (trace.lines.empty()) return 0;
-  PointD low = trace.lines.front().a, high = low;
-  for (const auto& s : trace.lines)
-    for (const PointD& p : {s.a, s.b}) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  return std::max(high.x - low.x, high.y - low.y);
+  return trace.lines.empty() ? 0 : box_of(ends_of(trace)).longer_side();
 }
 
 }  // namespace
@@ -94,7 +87,7 @@ Cause ExplainedRun::explained(const Finding& finding, Cause cause) const {
 
 void ExplainedRun::explain_quantisation(const Finding&, Cause& cause) const {
   const int decimals = trace_.options.decimals;
-  const double largest = largest_coordinate(trace_);
+  const double largest = largest_coordinate(ends_of(trace_));
   if (largest * std::pow(10, decimals) >= std::pow(10, kDigits))
     return set(cause, "twelve-digits",
                fmt::format("coordinates were written with {} digits, too few for {} decimals of "
@@ -271,7 +264,7 @@ void ExplainedRun::explain_nesting(const Finding& finding, Cause& cause) const {
 
 void ExplainedRun::explain_conversion(const Finding& finding, Cause& cause) const {
   const MissedMeeting* missed = meetings_.near_miss(nearest(finding.where), finding.segments);
-  if (!missed || missed->distance > kRounding * largest_coordinate(trace_)) return;
+  if (!missed || missed->distance > kRounding * largest_coordinate(ends_of(trace_))) return;
   set(cause, "slanted-junction",
       fmt::format("in doubles an end stops {:.3g} beside the segment that it is drawn to, and "
                   "parameters are compared exactly with 0 and 1",

@@ -14,8 +14,6 @@
 namespace plumbline::inters {
 namespace {
 
-using lar::squared_distance;
-
 /// Within this the original's rank computation takes a cell for flat.
 constexpr double kFlat = 1e-6;
 
@@ -23,16 +21,19 @@ VertexPair sorted(const VertexPair& pair) {
   return {std::min(pair[0], pair[1]), std::max(pair[0], pair[1])};
 }
 
-double distance(const PointD& p, const PointD& q) { return std::sqrt(squared_distance(p, q)); }
+/// As the original computes it, which `hypot` may round differently.
+double original_distance(const PointD& p, const PointD& q) {
+  return std::sqrt(squared_distance(p, q));
+}
 
 /// The dimension of what the points span.
 std::size_t dimension(std::span<const PointD> vertices, std::span<const VertexId> cell) {
   const PointD& origin = vertices[cell[0]];
   PointD far = origin;
   for (const VertexId v : cell) {
-    if (distance(origin, vertices[v]) > distance(origin, far)) far = vertices[v];
+    if (original_distance(origin, vertices[v]) > original_distance(origin, far)) far = vertices[v];
   }
-  const double length = distance(origin, far);
+  const double length = original_distance(origin, far);
   if (length <= kFlat) return 0;
   for (const VertexId v : cell) {
     const PointD& p = vertices[v];

@@ -7,13 +7,12 @@
 #include <limits>
 
 #include "engine/radius_below.hpp"
+#include "geometry/point_d.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 
 namespace plumbline::lar {
 namespace {
-
-double distance(const PointD& p, const PointD& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
 double distance_to_line(const PointD& p, const PointD& a, const PointD& b) {
   return std::abs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / distance(a, b);

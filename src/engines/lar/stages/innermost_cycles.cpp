@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engines/lar/stages/points.hpp"
+#include "geometry/point_d.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 
 namespace plumbline::lar {
@@ -20,15 +21,6 @@ std::vector<PointD> polygon(const Graph& graph, std::span<const HalfedgeId> cycl
     points.push_back(graph.vertices[is_reversed(h) ? edge.head : edge.tail]);
   }
   return points;
-}
-
-Box box_of(std::span<const PointD> points) {
-  Box box{points[0].x, points[0].y, points[0].x, points[0].y};
-  for (const PointD& p : points) {
-    box = {std::min(box[0], p.x), std::min(box[1], p.y), std::max(box[2], p.x),
-           std::max(box[3], p.y)};
-  }
-  return box;
 }
 
 /// Points sorted along both axes, for queries by box.
@@ -47,13 +39,14 @@ class PointsInBox {
   const PointD& operator[](std::size_t i) const { return points_[i]; }
 
   /// The points strictly inside the box.
-  Positions inside(const Box& box) const {
-    const auto by_x = between(box, 0);
-    const auto by_y = between(box, 1);
+  Positions inside(const BoxD& box) const {
+    const auto by_x = between(box.low.x, box.high.x, 0);
+    const auto by_y = between(box.low.y, box.high.y, 1);
     Positions result;
     for (std::size_t i : by_x.size() < by_y.size() ? by_x : by_y) {
       const PointD& p = points_[i];
-      if (box[0] < p.x && p.x < box[2] && box[1] < p.y && p.y < box[3]) result.push_back(i);
+      if (box.low.x < p.x && p.x < box.high.x && box.low.y < p.y && p.y < box.high.y)
+        result.push_back(i);
     }
     return result;
   }
@@ -62,14 +55,13 @@ class PointsInBox {
   double coordinate(std::size_t i, std::size_t axis) const {
     return axis == 0 ? points_[i].x : points_[i].y;
   }
-  std::span<const std::size_t> between(const Box& box, std::size_t axis) const {
+  std::span<const std::size_t> between(double low, double high, std::size_t axis) const {
     const Positions& order = order_[axis];
     const auto first =
-        std::upper_bound(order.begin(), order.end(), box[axis],
+        std::upper_bound(order.begin(), order.end(), low,
                          [&](double c, std::size_t i) { return c < coordinate(i, axis); });
-    const auto last =
-        std::lower_bound(first, order.end(), box[axis + 2],
-                         [&](std::size_t i, double c) { return coordinate(i, axis) < c; });
+    const auto last = std::lower_bound(
+        first, order.end(), high, [&](std::size_t i, double c) { return coordinate(i, axis) < c; });
     return {first, last};
   }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engines/lar/stages/points.hpp"
+#include "geometry/point_d.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 #include "plumbline/error.hpp"
 
@@ -44,11 +45,7 @@ PointD scaled(const PointD& p, int exponent) {
 }
 
 double longer_side(std::span<const PointD> points) {
-  if (points.empty()) return 0;
-  const auto [left, right] = std::minmax_element(points.begin(), points.end());
-  const auto by_y = [](const PointD& p, const PointD& q) { return p.y < q.y; };
-  const auto [low, high] = std::minmax_element(points.begin(), points.end(), by_y);
-  return std::max(right->x - left->x, high->y - low->y);
+  return points.empty() ? 0 : box_of(points).longer_side();
 }
 
 /// The wanted radius, not less than rounding and not more than what merges everything.
