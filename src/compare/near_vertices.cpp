@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nanoflann.hpp>
+
+#include "geometry/point_tree.hpp"
 
 namespace plumbline::compare_steps {
 namespace {
@@ -26,48 +27,32 @@ double finite(double value) {
 
 // Coordinates are scaled by a power of two to at most 1, so that squares can't overflow.
 struct NearVertices::Tree {
-  using Metric = nanoflann::L2_Simple_Adaptor<double, Tree>;
-  using Index = nanoflann::KDTreeSingleIndexAdaptor<Metric, Tree, 2>;
-
-  int exponent = 0;
+  int exponent;
   std::vector<PointD> points;
-  std::unique_ptr<Index> index;
+  PointTree index;
 
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return axis == 0 ? points[i].x : points[i].y;
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-
-  explicit Tree(const FilteredPoints& vertices) {
-    double largest = 0;
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-      const PointD& p = vertices.rough(v);
-      largest = std::max({largest, std::abs(finite(p.x)), std::abs(finite(p.y))});
-    }
-    exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
-    points.reserve(vertices.size());
-    for (std::size_t v = 0; v < vertices.size(); ++v) points.push_back(scaled(vertices.rough(v)));
-    if (!points.empty()) index = std::make_unique<Index>(2, *this);
-  }
+  explicit Tree(const FilteredPoints& vertices)
+      : exponent(exponent_of(vertices)), points(all_scaled(vertices)), index(points) {}
 
   PointD scaled(const PointD& p) const {
     return {std::ldexp(finite(p.x), -exponent), std::ldexp(finite(p.y), -exponent)};
   }
   PointD scaled(const Point& p) const { return scaled(PointD{p.x.get_d(), p.y.get_d()}); }
 
-  std::vector<std::size_t> query(const PointD& p, std::size_t count, double radius) const {
-    std::vector<std::size_t> ids(count);
-    std::vector<double> distances(count);
-    nanoflann::KNNResultSet<double> result(count);
-    result.init(ids.data(), distances.data());
-    distances[count - 1] = radius * radius;  // the set takes only what is nearer than its last
-    index->findNeighbors(result, &p.x, nanoflann::SearchParams());
-    ids.resize(result.size());
-    return ids;
+ private:
+  static int exponent_of(const FilteredPoints& vertices) {
+    double largest = 0;
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      const PointD& p = vertices.rough(v);
+      largest = std::max({largest, std::abs(finite(p.x)), std::abs(finite(p.y))});
+    }
+    return largest > 0 ? std::ilogb(largest) + 1 : 0;
+  }
+  std::vector<PointD> all_scaled(const FilteredPoints& vertices) const {
+    std::vector<PointD> result;
+    result.reserve(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) result.push_back(scaled(vertices.rough(v)));
+    return result;
   }
 };
 
@@ -95,12 +80,11 @@ std::vector<Near> NearVertices::confirmed(const Point& p,
 std::vector<Near> NearVertices::within(const Point& p, double tolerance,
                                        const Rational& squared_tolerance) const {
   const Tree& tree = this->tree();
-  if (!tree.index) return {};
   const PointD q = tree.scaled(p);
   const double magnitude = std::max({1.0, std::abs(q.x), std::abs(q.y)});
   const double radius =
       std::ldexp(tolerance, -tree.exponent) * (1 + kRelativeSlack) + magnitude * kRelativeSlack;
-  std::vector<Near> result = confirmed(p, tree.query(q, kMaxNeighbours, radius));
+  std::vector<Near> result = confirmed(p, tree.index.nearest(q, kMaxNeighbours, radius));
   const auto is_far = [&](const Near& near) { return near.squared_distance > squared_tolerance; };
   result.erase(std::find_if(result.begin(), result.end(), is_far), result.end());
   return result;
@@ -108,9 +92,8 @@ std::vector<Near> NearVertices::within(const Point& p, double tolerance,
 
 std::optional<Near> NearVertices::nearest_to(const Point& p) const {
   const Tree& tree = this->tree();
-  if (!tree.index) return std::nullopt;
   const std::vector<Near> found = confirmed(
-      p, tree.query(tree.scaled(p), kNearestProposals, std::numeric_limits<double>::max()));
+      p, tree.index.nearest(tree.scaled(p), kNearestProposals, std::numeric_limits<double>::max()));
   if (found.empty()) return std::nullopt;
   return found.front();
 }

@@ -6,21 +6,19 @@
 
 #include "engines/inters/stages/fail.hpp"
 #include "engines/inters/stages/hash_order.hpp"
-#include "engines/lar/stages/near_points.hpp"
+#include "geometry/point_tree.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline::inters {
 namespace {
 
-using lar::NearPoints;
-
 std::vector<VertexPair> close_pairs(std::span<const PointD> vertices, double radius,
                                     std::size_t max_pairs) {
-  const NearPoints near_points(vertices, radius);
+  const PointTree tree(vertices);
   std::vector<VertexPair> result;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    near_points.for_each(i, [&](std::size_t j) {
+    tree.for_each_near(vertices[i], radius, [&](std::size_t j) {
       if (i < j) result.push_back({VertexId(i), VertexId(j)});
     });
     if (result.size() > max_pairs) {

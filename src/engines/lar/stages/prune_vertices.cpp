@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "engines/lar/stages/crowds.hpp"
-#include "engines/lar/stages/near_points.hpp"
+#include "geometry/point_tree.hpp"
 #include "geometry/union_find.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 
@@ -25,9 +25,9 @@ PointD centroid(std::span<const PointD> points, std::span<const VertexId> member
 
 /// Unites every point with all that are near it, except where a crowd spares the search.
 void unite_near(std::span<const PointD> points, double radius, UnionFind& classes) {
-  const NearPoints near_points(points, radius);
+  const PointTree tree(points);
   const auto search = [&](std::size_t i) {
-    near_points.for_each(i, [&](std::size_t other) { classes.unite(i, other); });
+    tree.for_each_near(points[i], radius, [&](std::size_t other) { classes.unite(i, other); });
   };
   Crowds crowds(points, radius, classes);
   // One point of each crowd first, which unites most that there is to unite.
