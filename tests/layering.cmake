@@ -23,8 +23,7 @@ room(geometry error detail number)
 room(structure error detail number geometry)
 room(read error number geometry structure)
 room(complex error detail geometry)
-room(chains error structure complex)
-room(triangulate cgal error complex)
+room(chains cgal error structure complex)
 room(arrange cgal error geometry complex)
 room(round error geometry complex arrange)
 room(compare error geometry complex arrange)
@@ -39,12 +38,12 @@ room(engines/files error number read engine)
 room(engines/lar/explain error geometry arrange engine engines/lar/stages)
 room(engines/inters/explain error geometry engine engines/lar/stages engines/inters/stages engines/lar/explain)
 room(output error geometry structure complex round diagnose check)
-room(engines/lar/show error complex chains triangulate engines/lar/stages output)
+room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error read chains arrange round check engines/lar/stages engines/inters/stages engines/files)
-room(plumbline error number geometry structure read complex triangulate arrange round compare ladder diagnose
-     engine check engines/lar/stages engines/inters/stages engines/files output engines/lar/show
-     engines/inters/show pipeline)
+room(plumbline error number geometry structure read complex arrange round compare ladder diagnose engine check
+     engines/lar/stages engines/inters/stages engines/files output engines/lar/show engines/inters/show
+     pipeline)
 room(cli error detail read arrange round engines/files output engines/lar/show pipeline plumbline)
 room(checker)
 

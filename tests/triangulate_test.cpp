@@ -1,4 +1,4 @@
-#include "plumbline/triangulate.hpp"
+#include "plumbline/chains/triangulate.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

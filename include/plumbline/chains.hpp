@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "plumbline/chains/triangulate.hpp"
 #include "plumbline/complex.hpp"
 
 namespace plumbline {

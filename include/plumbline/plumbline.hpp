@@ -23,4 +23,3 @@
 #include "plumbline/read.hpp"
 #include "plumbline/round.hpp"
 #include "plumbline/structure.hpp"
-#include "plumbline/triangulate.hpp"

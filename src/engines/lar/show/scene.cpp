@@ -1,7 +1,7 @@
 #include "engines/lar/show/scene.hpp"
 
+#include "plumbline/chains/triangulate.hpp"
 #include "plumbline/error.hpp"
-#include "plumbline/triangulate.hpp"
 
 namespace plumbline::svg {
 

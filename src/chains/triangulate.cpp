@@ -1,7 +1,7 @@
 // Constrained Delaunay triangulation of the boundary edges of a face, then a flood fill from
 // outside that changes sides at every one of them.
 
-#include "plumbline/triangulate.hpp"
+#include "plumbline/chains/triangulate.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
