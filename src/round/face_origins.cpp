@@ -18,115 +18,122 @@ namespace {
 constexpr const char* kContradiction =
     "rounding keeps the topology up to merging: each face comes from one face";
 
-class FaceOrigins {
- public:
-  FaceOrigins(const Incidences& exact, const Incidences& rounded)
-      : exact_(exact),
-        rounded_(rounded),
-        lefts_(rounded.edge_count()),
-        rights_(rounded.edge_count()),
-        sets_(rounded.face_count()),
-        origin_(rounded.face_count()) {}
+using Faces = std::vector<FaceId>;
 
-  std::vector<FaceId> run(const std::vector<VertexId>& vertex_image,
-                          const Lists<HalfedgeId>& edge_image) {
-    collect(edge_image);
-    for (std::size_t e = 0; e < lefts_.size(); ++e) join(EdgeId(e));
-    for (std::size_t e = 0; e < lefts_.size(); ++e) take_sides(EdgeId(e));
-    take(kUnbounded, kUnbounded);
-    for (std::size_t f = 0; f < origin_.size(); ++f) {
-      origin_[f] = origin_[sets_.find(f)];
-      ensure(origin_[f].valid(), kContradiction);
-    }
-    for (std::size_t e = 0; e < lefts_.size(); ++e) check_same_sides(EdgeId(e));
-    check_isolated_vertices(vertex_image);
-    return std::move(origin_);
-  }
-
- private:
-  using Faces = std::vector<FaceId>;
-
-  void collect(const Lists<HalfedgeId>& edge_image) {
-    for (std::size_t e = 0; e < edge_image.size(); ++e) {
-      const FaceId left = exact_.halfedge_face[halfedge(EdgeId(e), false)];
-      const FaceId right = exact_.halfedge_face[halfedge(EdgeId(e), true)];
-      for (const HalfedgeId h : edge_image[e]) {
-        lefts_[edge_of(h)].push_back(is_reversed(h) ? right : left);
-        rights_[edge_of(h)].push_back(is_reversed(h) ? left : right);
-      }
-    }
-    for (Faces& faces : lefts_) std::sort(faces.begin(), faces.end());
-    for (Faces& faces : rights_) std::sort(faces.begin(), faces.end());
-  }
-
-  FaceId left(EdgeId e) const { return rounded_.halfedge_face[halfedge(e, false)]; }
-  FaceId right(EdgeId e) const { return rounded_.halfedge_face[halfedge(e, true)]; }
-
-  void join(EdgeId e) {
-    if (lefts_[e] == rights_[e]) sets_.unite(left(e), right(e));
-  }
-
-  void take(FaceId rounded, FaceId origin) {
-    FaceId& known = origin_[sets_.find(rounded)];
-    ensure(!known.valid() || known == origin, kContradiction);
-    known = origin;
-  }
-
-  void take_sides(EdgeId e) {
-    const Faces &lefts = lefts_[e], &rights = rights_[e];
-    ensure(!lefts.empty(), "a rounded edge comes from an exact one");
-    if (lefts.size() == 1) {
-      take(left(e), lefts.front());
-      take(right(e), rights.front());
-    } else if (lefts != rights) {
-      Faces on_left, on_right;
-      std::set_difference(lefts.begin(), lefts.end(), rights.begin(), rights.end(),
-                          std::back_inserter(on_left));
-      std::set_difference(rights.begin(), rights.end(), lefts.begin(), lefts.end(),
-                          std::back_inserter(on_right));
-      ensure(on_left.size() == 1 && on_right.size() == 1, kContradiction);
-      take(left(e), on_left.front());
-      take(right(e), on_right.front());
-    }
-  }
-
-  void check_same_sides(EdgeId e) const {
-    const Faces& faces = lefts_[e];
-    if (faces != rights_[e]) return;
-    ensure(std::binary_search(faces.begin(), faces.end(), origin_[left(e)]), kContradiction);
-  }
-
-  /// An isolated vertex lies in the face around one of the components that fell into it.
-  void check_isolated_vertices(const std::vector<VertexId>& vertex_image) const {
-    std::vector<FaceId> face(vertex_image.empty() ? 0 : rounded_.vertex_component.size());
-    std::vector<bool> is_right(face.size(), true);
-    for (std::size_t f = 0; f < rounded_.face_count(); ++f) {
-      for (const VertexId v : rounded_.face_isolated_vertices[f]) {
-        face[v] = FaceId(f);
-        is_right[v] = false;
-      }
-    }
-    for (std::size_t v = 0; v < vertex_image.size(); ++v) {
-      const FaceId f = face[vertex_image[v]];
-      if (f.valid() && exact_.component_parent[exact_.vertex_component[v]] == origin_[f])
-        is_right[vertex_image[v]] = true;
-    }
-    for (const bool is : is_right) ensure(is, kContradiction);
-  }
-
-  const Incidences& exact_;
-  const Incidences& rounded_;
-  std::vector<Faces> lefts_, rights_;  ///< per rounded edge, of its exact ones, ascending
-  UnionFind sets_;                     ///< of rounded faces
-  std::vector<FaceId> origin_;         ///< per representative, in the end per rounded face
+/// Per rounded edge the exact faces on the left and on the right of the exact edges that became it,
+/// ascending.
+struct Beside {
+  std::vector<Faces> left, right;
 };
+
+Beside faces_beside(const Incidences& exact, const Incidences& rounded,
+                    const Lists<HalfedgeId>& edge_image) {
+  Beside beside{std::vector<Faces>(rounded.edge_count()), std::vector<Faces>(rounded.edge_count())};
+  for (std::size_t e = 0; e < edge_image.size(); ++e) {
+    const FaceId left = exact.halfedge_face[halfedge(EdgeId(e), false)];
+    const FaceId right = exact.halfedge_face[halfedge(EdgeId(e), true)];
+    for (const HalfedgeId h : edge_image[e]) {
+      beside.left[edge_of(h)].push_back(is_reversed(h) ? right : left);
+      beside.right[edge_of(h)].push_back(is_reversed(h) ? left : right);
+    }
+  }
+  for (std::vector<Faces>* side : {&beside.left, &beside.right}) {
+    for (Faces& faces : *side) std::sort(faces.begin(), faces.end());
+  }
+  return beside;
+}
+
+FaceId left(const Incidences& complex, EdgeId e) {
+  return complex.halfedge_face[halfedge(e, false)];
+}
+FaceId right(const Incidences& complex, EdgeId e) {
+  return complex.halfedge_face[halfedge(e, true)];
+}
+
+/// Sets of rounded faces that come from one exact face: nothing is left over between them.
+UnionFind joined_faces(const Incidences& rounded, const Beside& beside) {
+  UnionFind sets(rounded.face_count());
+  for (std::size_t e = 0; e < rounded.edge_count(); ++e) {
+    if (beside.left[e] != beside.right[e]) continue;
+    sets.unite(left(rounded, EdgeId(e)), right(rounded, EdgeId(e)));
+  }
+  return sets;
+}
+
+/// The one face that is in the list and not in the other one.
+FaceId left_over(const Faces& faces, const Faces& others) {
+  if (faces.size() == 1) return faces.front();
+  Faces result;
+  std::set_difference(faces.begin(), faces.end(), others.begin(), others.end(),
+                      std::back_inserter(result));
+  ensure(result.size() == 1, kContradiction);
+  return result.front();
+}
+
+/// Per rounded face the exact one that it comes from, by what is left over beside its edges.
+std::vector<FaceId> origins_of(const Incidences& rounded, const Beside& beside, UnionFind sets) {
+  std::vector<FaceId> origin(rounded.face_count());
+  const auto take = [&](FaceId face, FaceId from) {
+    FaceId& known = origin[sets.find(face)];
+    ensure(!known.valid() || known == from, kContradiction);
+    known = from;
+  };
+  for (std::size_t e = 0; e < rounded.edge_count(); ++e) {
+    const Faces &lefts = beside.left[e], &rights = beside.right[e];
+    ensure(!lefts.empty(), "a rounded edge comes from an exact one");
+    if (lefts.size() > 1 && lefts == rights) continue;
+    take(left(rounded, EdgeId(e)), left_over(lefts, rights));
+    take(right(rounded, EdgeId(e)), left_over(rights, lefts));
+  }
+  take(kUnbounded, kUnbounded);
+  for (std::size_t f = 0; f < origin.size(); ++f) {
+    origin[f] = origin[sets.find(f)];
+    ensure(origin[f].valid(), kContradiction);
+  }
+  return origin;
+}
+
+/// Where the same faces are on both sides of an edge, the face around it is one of them.
+void check_same_sides(const Incidences& rounded, const Beside& beside,
+                      const std::vector<FaceId>& origin) {
+  for (std::size_t e = 0; e < rounded.edge_count(); ++e) {
+    const Faces& faces = beside.left[e];
+    if (faces != beside.right[e]) continue;
+    const FaceId around = origin[left(rounded, EdgeId(e))];
+    ensure(std::binary_search(faces.begin(), faces.end(), around), kContradiction);
+  }
+}
+
+/// An isolated vertex lies in the face around one of the components that fell into it.
+void check_isolated_vertices(const Incidences& exact, const Incidences& rounded,
+                             const std::vector<VertexId>& vertex_image,
+                             const std::vector<FaceId>& origin) {
+  std::vector<FaceId> face(vertex_image.empty() ? 0 : rounded.vertex_component.size());
+  std::vector<bool> is_right(face.size(), true);
+  for (std::size_t f = 0; f < rounded.face_count(); ++f) {
+    for (const VertexId v : rounded.face_isolated_vertices[f]) {
+      face[v] = FaceId(f);
+      is_right[v] = false;
+    }
+  }
+  for (std::size_t v = 0; v < vertex_image.size(); ++v) {
+    const FaceId f = face[vertex_image[v]];
+    if (f.valid() && exact.component_parent[exact.vertex_component[v]] == origin[f])
+      is_right[vertex_image[v]] = true;
+  }
+  for (const bool is : is_right) ensure(is, kContradiction);
+}
 
 }  // namespace
 
 std::vector<FaceId> face_origins(const Incidences& exact, const Incidences& rounded,
                                  const std::vector<VertexId>& vertex_image,
                                  const Lists<HalfedgeId>& edge_image) {
-  return FaceOrigins(exact, rounded).run(vertex_image, edge_image);
+  const Beside beside = faces_beside(exact, rounded, edge_image);
+  std::vector<FaceId> origin = origins_of(rounded, beside, joined_faces(rounded, beside));
+  check_same_sides(rounded, beside, origin);
+  check_isolated_vertices(exact, rounded, vertex_image, origin);
+  return origin;
 }
 
 }  // namespace plumbline::round_steps
