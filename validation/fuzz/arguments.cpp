@@ -81,7 +81,7 @@ void check_command(const cli::RandomArguments& arguments) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const auto parsed = cli::parse(arguments_of({reinterpret_cast<const char*>(data), size}));
-    if (const auto* told = std::get_if<cli::Told>(&parsed))
+    if (const auto* told = std::get_if<cli::Notice>(&parsed))
       check_told(told->text);
     else
       std::visit([](const auto& command) { check_command(command); },
