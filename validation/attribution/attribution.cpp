@@ -1,4 +1,4 @@
-// Every recorded input of the published pipeline through `check --variant published`, for each of
+// Every recorded input of the published pipeline through `check --engine inters`, for each of
 // its results: the findings by stage and rule.
 // Usage: plumbline_attribution DIRECTORY. Prints Markdown; exit code 1 if a finding has no cause.
 
