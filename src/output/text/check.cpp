@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "output/text/ladder.hpp"
+#include "output/text/terminal.hpp"
 #include "output/text/verdict.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
@@ -15,7 +16,6 @@
 namespace plumbline {
 namespace {
 
-constexpr std::size_t kShownInputs = 3;
 constexpr std::size_t kShownRejected = 5;
 constexpr std::size_t kShownBounds = 4;
 constexpr std::size_t kShownKinds = 4;
@@ -23,10 +23,7 @@ constexpr std::size_t kShownSteps = 5;
 
 using Out = std::back_insert_iterator<std::string>;
 
-/// Six digits: a terminal is for people, JSON has all of them.
-std::string number(double value) { return fmt::format("{:.6g}", value); }
-
-void append_counts(std::string& text, const Check& check) {
+void append_cell_counts(std::string& text, const Check& check) {
   const Comparison& c = check.comparison;
   fmt::format_to(Out(text), "\n{:<18}{:>13}{:>14}{:>12}\n", "", "as authored", "over doubles",
                  check.answer.short_title);
@@ -147,23 +144,13 @@ void append_ledger(std::string& text, const std::vector<Replacement>& ledger) {
   text += '\n';
 }
 
-void append_inputs(std::string& text, const SegmentSet& input, const Finding& finding) {
-  const std::vector<SourceId> sources = sources_of(input, finding.segments);
-  const std::size_t shown = std::min(sources.size(), kShownInputs);
-  for (std::size_t i = 0; i < shown; ++i)
-    fmt::format_to(Out(text), "      {}\n",
-                   line_text(to_text(input.sources[sources[i]], input.files)));
-  if (shown < sources.size())
-    fmt::format_to(Out(text), "      and {} more\n", sources.size() - shown);
-}
-
 void append_finding(std::string& text, const Check& check, std::size_t i) {
   const Finding& finding = check.comparison.findings[i];
   fmt::format_to(Out(text), "{:>4}. {} {}", i + 1, to_text(finding.kind),
                  to_text(finding.disagreement));
   if (finding.kind != CellKind::Complex) {
     const PointD place = nearest(finding.where);
-    fmt::format_to(Out(text), " at ({}, {})", number(place.x), number(place.y));
+    fmt::format_to(Out(text), " at ({}, {})", short_number(place.x), short_number(place.y));
   }
   fmt::format_to(Out(text), ": {}\n", line_text(finding.message));
   if (i < check.causes.size()) {
@@ -172,7 +159,7 @@ void append_finding(std::string& text, const Check& check, std::size_t i) {
     if (!cause.advice.empty()) fmt::format_to(Out(text), "; {}", line_text(cause.advice));
     text += '\n';
   }
-  append_inputs(text, check.input, finding);
+  text += input_lines(check.input, finding.segments, "      ");
 }
 
 }  // namespace
@@ -180,10 +167,11 @@ void append_finding(std::string& text, const Check& check, std::size_t i) {
 std::string to_text(const Check& check, std::size_t limit) {
   const Comparison& c = check.comparison;
   std::string text = verdict(c) + '\n';
-  append_counts(text, check);
-  if (check.answer.radius) fmt::format_to(Out(text), "radius {}, ", number(*check.answer.radius));
-  fmt::format_to(Out(text), "tolerance {}, largest displacement {}\n", number(c.tolerance),
-                 number(c.largest_displacement));
+  append_cell_counts(text, check);
+  if (check.answer.radius)
+    fmt::format_to(Out(text), "radius {}, ", short_number(*check.answer.radius));
+  fmt::format_to(Out(text), "tolerance {}, largest displacement {}\n", short_number(c.tolerance),
+                 short_number(c.largest_displacement));
   if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
   append_input(text, check.input);
   append_ledger(text, check.input.ledger);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "output/text/terminal.hpp"
 #include "output/text/verdict.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
@@ -12,35 +13,20 @@
 namespace plumbline {
 namespace {
 
-constexpr std::size_t kShownInputs = 3;
-
 using Out = std::back_insert_iterator<std::string>;
 
-/// Six digits: a terminal is for people, JSON has all of them.
-std::string number(double value) { return fmt::format("{:.6g}", value); }
-
-void append_counts(std::string& text, const Diagnosis& diagnosis) {
+void append_defect_counts(std::string& text, const Diagnosis& diagnosis) {
   for (std::size_t kind = 0; kind < kDefectKinds; ++kind)
     fmt::format_to(Out(text), "  {:<16}{:>8}\n", to_text(static_cast<DefectKind>(kind)),
                    diagnosis.found[kind]);
 }
 
-void append_inputs(std::string& text, const SegmentSet& input, const Defect& defect) {
-  const std::vector<SourceId> sources = sources_of(input, defect.segments);
-  const std::size_t shown = std::min(sources.size(), kShownInputs);
-  for (std::size_t i = 0; i < shown; ++i)
-    fmt::format_to(Out(text), "        {}\n",
-                   line_text(to_text(input.sources[sources[i]], input.files)));
-  if (shown < sources.size())
-    fmt::format_to(Out(text), "        and {} more\n", sources.size() - shown);
-}
-
 void append_defect(std::string& text, const SegmentSet& input, const Defect& defect,
                    std::size_t defect_number) {
   const PointD place = nearest(defect.where);
-  fmt::format_to(Out(text), "{:>6}. at ({}, {}): {}\n", defect_number, number(place.x),
-                 number(place.y), line_text(defect.message));
-  append_inputs(text, input, defect);
+  fmt::format_to(Out(text), "{:>6}. at ({}, {}): {}\n", defect_number, short_number(place.x),
+                 short_number(place.y), line_text(defect.message));
+  text += input_lines(input, defect.segments, "        ");
 }
 
 void append_defects(std::string& text, const SegmentSet& input, const Diagnosis& diagnosis,
@@ -65,11 +51,11 @@ void append_tolerances(std::string& text, const Diagnosis& diagnosis) {
   fmt::format_to(Out(text), "\na tolerance of  mends of {} defects that one can mend\n",
                  diagnosis.tolerances.back().mended);
   for (const ToleranceEffect& effect : diagnosis.tolerances)
-    fmt::format_to(Out(text), "  {:<12}{:>8}{}\n", number(effect.tolerance), effect.mended,
+    fmt::format_to(Out(text), "  {:<12}{:>8}{}\n", short_number(effect.tolerance), effect.mended,
                    effect.spares_detail ? "" : "  and destroys edges that are no defects");
   if (diagnosis.squared_detail)
     fmt::format_to(Out(text), "the shortest edge that is part of no defect is {} long\n",
-                   number(nearest_sqrt(*diagnosis.squared_detail)));
+                   short_number(nearest_sqrt(*diagnosis.squared_detail)));
 }
 
 }  // namespace
@@ -78,8 +64,8 @@ std::string to_text(const Diagnosis& diagnosis, const SegmentSet& input, std::si
   std::size_t total = 0;
   for (const std::size_t found : diagnosis.found) total += found;
   std::string text = fmt::format("{} defects; near means within {}; {} loose ends\n", total,
-                                 number(nearest_double(diagnosis.within)), diagnosis.tips);
-  append_counts(text, diagnosis);
+                                 short_number(nearest_double(diagnosis.within)), diagnosis.tips);
+  append_defect_counts(text, diagnosis);
   if (diagnosis.cut_short > 0)
     fmt::format_to(Out(text),
                    "the distance is too large for this drawing: around {} vertices so much is near "

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "output/text/ladder.hpp"
+#include "output/text/terminal.hpp"
 #include "plumbline/output.hpp"
 
 namespace plumbline {
@@ -17,11 +18,9 @@ constexpr std::size_t kMostExactDigits = 24;
 
 using Out = std::back_insert_iterator<std::string>;
 
-std::string number(double value) { return fmt::format("{:.6g}", value); }
-
 std::string at(const ExactComplex& complex, VertexId v) {
   const PointD p = nearest(complex.vertices[v]);
-  return fmt::format("({}, {})", number(p.x), number(p.y));
+  return fmt::format("({}, {})", short_number(p.x), short_number(p.y));
 }
 
 std::string pair_text(const ExactComplex& complex, const LadderStep& step) {
@@ -42,20 +41,20 @@ void append_row(std::string& text, const std::string& radius, std::size_t vertic
 void append_right_radii(std::string& text, const RightRadii& radii) {
   if (radii.empty()) {
     fmt::format_to(Out(text), "  no radius is right for float LAR, of {} tried from {} to {}\n",
-                   radii.tried.size(), number(radii.tried.front().radius),
-                   number(radii.tried.back().radius));
+                   radii.tried.size(), short_number(radii.tried.front().radius),
+                   short_number(radii.tried.back().radius));
     return;
   }
   const auto tried_right = std::count_if(
       radii.tried.begin(), radii.tried.end(),
       [&](const TriedRadius& t) { return t.radius >= radii.least && t.radius <= radii.largest; });
   fmt::format_to(Out(text), "  float LAR is right with every radius tried from {} to {} ({} tried",
-                 number(radii.least), number(radii.largest), tried_right);
+                 short_number(radii.least), short_number(radii.largest), tried_right);
   for (std::size_t i = 0; i < radii.tried.size(); ++i) {
     const TriedRadius& t = radii.tried[i];
     const bool below = t.radius < radii.least && radii.tried[i + 1].radius == radii.least;
     const bool above = t.radius > radii.largest && radii.tried[i - 1].radius == radii.largest;
-    if (below || above) fmt::format_to(Out(text), "; wrong with {}", number(t.radius));
+    if (below || above) fmt::format_to(Out(text), "; wrong with {}", short_number(t.radius));
   }
   text += ")\n";
 }
@@ -64,7 +63,7 @@ void append_right_radii(std::string& text, const RightRadii& radii) {
 
 std::string distance_text(const Rational& squared) {
   const double rounded = nearest_sqrt(squared);
-  const std::string nearly = rounded > 0 ? number(rounded) : "less than 5e-324";
+  const std::string nearly = rounded > 0 ? short_number(rounded) : "less than 5e-324";
   const bool is_square = mpz_perfect_square_p(squared.get_num_mpz_t()) != 0 &&
                          mpz_perfect_square_p(squared.get_den_mpz_t()) != 0;
   const Rational root = is_square ? Rational(sqrt(squared.get_num()), sqrt(squared.get_den())) : 0;
@@ -82,7 +81,7 @@ std::string to_text(const ToleranceLadder& ladder, const ExactComplex& complex, 
   const std::size_t shown = std::min(ladder.steps.size(), limit);
   for (std::size_t i = 0; i < shown; ++i) {
     const LadderStep& step = ladder.steps[i];
-    append_row(text, number(nearest_sqrt(step.squared_radius)), step.vertices, step.edges,
+    append_row(text, short_number(nearest_sqrt(step.squared_radius)), step.vertices, step.edges,
                step.faces, pair_text(complex, step));
   }
   if (shown < ladder.steps.size())
