@@ -18,6 +18,11 @@ inline double distance(const PointD& p, const PointD& q) {
   return std::hypot(p.x - q.x, p.y - q.y);
 }
 
+/// a + parameter (b - a), computed in this order.
+inline PointD point_at(const SegmentD& s, double parameter) {
+  return {s.a.x + parameter * (s.b.x - s.a.x), s.a.y + parameter * (s.b.y - s.a.y)};
+}
+
 /// The largest absolute coordinate; 0 for no points.
 inline double largest_coordinate(std::span<const PointD> points) {
   double largest = 0;

@@ -6,24 +6,17 @@
 #include <utility>
 
 #include "read/csv_records.hpp"
+#include "read/rows.hpp"
 #include "read/wkt.hpp"
 
 namespace plumbline {
 namespace {
 
-constexpr const char* kElement = "row";
-constexpr std::size_t kNumbers = 4;
 constexpr std::string_view kNumberNames = "x1, y1, x2, y2";
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
 
 /// Which columns hold what.
 struct Columns {
-  std::optional<std::array<std::size_t, kNumbers>> numbers;
+  std::optional<std::array<std::size_t, kRowNumbers>> numbers;
   std::optional<std::size_t> geometry;
   std::optional<std::size_t> id;
   bool has_header = true;
@@ -42,7 +35,7 @@ std::vector<std::string> names_of(const std::vector<CsvField>& header) {
   return names;
 }
 
-std::optional<std::size_t> find(const std::vector<std::string>& names, std::string_view name) {
+std::optional<std::size_t> column_of(const std::vector<std::string>& names, std::string_view name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return std::nullopt;
   return static_cast<std::size_t>(found - names.begin());
@@ -52,26 +45,26 @@ template <std::size_t N>
 std::optional<std::size_t> find_first(const std::vector<std::string>& names,
                                       const std::array<std::string_view, N>& wanted) {
   for (const std::string_view name : wanted) {
-    if (const auto column = find(names, name)) return column;
+    if (const auto column = column_of(names, name)) return column;
   }
   return std::nullopt;
 }
 
 /// The columns that a header names; neither numbers nor geometry where it is none.
 Columns columns_of(const std::vector<CsvField>& header) {
-  using Names = std::array<std::string_view, kNumbers>;
+  using Names = std::array<std::string_view, kRowNumbers>;
   constexpr std::array<Names, 2> kKnown = {{{"x1", "y1", "x2", "y2"}, {"ax", "ay", "bx", "by"}}};
   constexpr Names kGeometries = {"wkt", "geom", "geometry", "the_geom"};
   constexpr Names kIds = {"id", "fid", "gid", "name"};
   const std::vector<std::string> names = names_of(header);
   Columns columns;
   for (const Names& wanted : kKnown) {
-    std::array<std::size_t, kNumbers> found{};
+    std::array<std::size_t, kRowNumbers> found{};
     std::size_t count = 0;
     for (const std::string_view name : wanted) {
-      if (const auto column = find(names, name)) found[count++] = *column;
+      if (const auto column = column_of(names, name)) found[count++] = *column;
     }
-    if (count == kNumbers && !columns.numbers) columns.numbers = found;
+    if (count == kRowNumbers && !columns.numbers) columns.numbers = found;
   }
   columns.geometry = find_first(names, kGeometries);
   columns.id = find_first(names, kIds);
@@ -97,7 +90,7 @@ class CsvReader {
     columns_ = columns_of(fields);
     if (columns_.numbers || columns_.geometry) return;
     columns_ = {{{0, 1, 2, 3}}, std::nullopt, std::nullopt, false};
-    const bool is_row = fields.size() == kNumbers &&
+    const bool is_row = fields.size() == kRowNumbers &&
                         std::all_of(fields.begin(), fields.end(),
                                     [this](const CsvField& f) { return is_number(f); });
     if (is_row) return;
@@ -129,7 +122,7 @@ class CsvReader {
       if (!columns_.numbers) add_geometry(id);
       table_.name_feature(id);
     } catch (const Unusable& problem) {
-      table_.refuse(kElement, place_, problem.reason, problem.text, id);
+      table_.refuse(kRowElement, place_, problem.reason, problem.text, id);
     }
   }
 
@@ -140,12 +133,12 @@ class CsvReader {
   }
 
   void add_segment(const std::vector<CsvField>& fields) {
-    if (!columns_.has_header && fields.size() != kNumbers) {
+    if (!columns_.has_header && fields.size() != kRowNumbers) {
       throw Unusable{"row of " + std::to_string(fields.size()) + " values, not 4",
                      printable(fields.front().text)};
     }
-    std::array<Number, kNumbers> values;
-    for (std::size_t i = 0; i < kNumbers; ++i) {
+    std::array<Number, kRowNumbers> values;
+    for (std::size_t i = 0; i < kRowNumbers; ++i) {
       const std::string_view text = text_of((*columns_.numbers)[i]);
       if (text.empty())
         throw Unusable{"row without a value for one of " + std::string(kNumberNames), {}};
@@ -156,7 +149,7 @@ class CsvReader {
       }
     }
     auto& [ax, ay, bx, by] = values;
-    table_.add_segment(kElement, place_, {std::move(ax), std::move(ay)},
+    table_.add_segment(kRowElement, place_, {std::move(ax), std::move(ay)},
                        {std::move(bx), std::move(by)});
   }
 
@@ -175,7 +168,7 @@ class CsvReader {
       if (!text.at_end()) text.fail("text behind the geometry");
     } catch (const Error& error) {
       if (error.code() != ErrorCode::BadInput) throw;
-      table_.refuse(kElement, error.place(), error.message(), error.offending_text(), id);
+      table_.refuse(kRowElement, error.place(), error.message(), error.offending_text(), id);
     }
   }
 

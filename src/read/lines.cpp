@@ -10,28 +10,20 @@
 #include "plumbline/read.hpp"
 #include "read/attribute.hpp"
 #include "read/byte_stream.hpp"
+#include "read/rows.hpp"
 
 namespace plumbline {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
-constexpr std::size_t kNumbers = 4;
-constexpr const char* kElement = "row";
-
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
-
-using Row = std::array<Number, kNumbers>;
+using Row = std::array<Number, kRowNumbers>;
 
 /// The row if it is four plain decimals and commas, as rows are.
 std::optional<Row> plain_row(std::string_view row) {
   Row values;
-  for (std::size_t i = 0; i < kNumbers; ++i) {
+  for (std::size_t i = 0; i < kRowNumbers; ++i) {
     LeadingDecimal decimal = leading_decimal(row);
     row.remove_prefix(decimal.length);
-    const bool ends = i + 1 < kNumbers ? row.starts_with(',') : row.empty();
+    const bool ends = i + 1 < kRowNumbers ? row.starts_with(',') : row.empty();
     if (decimal.length == 0 || !ends) return std::nullopt;
     row.remove_prefix(std::min<std::size_t>(row.size(), 1));
     values[i] = std::move(decimal.value);
@@ -47,9 +39,10 @@ Row parse_row(std::string_view row, Numbers& numbers) {
     const std::string_view field = row.substr(0, row.find(','));
     more = field.size() < row.size();
     row.remove_prefix(more ? field.size() + 1 : field.size());
-    if (count < kNumbers) values[count] = numbers.parse(trimmed(field));
+    if (count < kRowNumbers) values[count] = numbers.parse(trimmed(field));
   }
-  if (count != kNumbers) throw Unusable{"row of " + std::to_string(count) + " values, not 4", {}};
+  if (count != kRowNumbers)
+    throw Unusable{"row of " + std::to_string(count) + " values, not 4", {}};
   return values;
 }
 
@@ -63,7 +56,7 @@ Structure read_lines(std::string_view text, const std::string& file_name) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Numbers numbers;
   Model model;
-  model.source.element = kElement;
+  model.source.element = kRowElement;
   for (std::uint32_t line = 1; !text.empty(); ++line) {
     const std::string_view whole = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(whole.size() + 1, text.size()));
@@ -77,7 +70,7 @@ Structure read_lines(std::string_view text, const std::string& file_name) {
       model.rows.push_back({line, column});
     } catch (const Unusable& problem) {
       structure.rejected.push_back(
-          make_rejected({0, line, column, kElement, "", ""}, problem.reason, printable(row)));
+          make_rejected({0, line, column, kRowElement, "", ""}, problem.reason, printable(row)));
     }
   }
   if (!model.segments.empty()) structure.structs[0].body.emplace_back(std::move(model));

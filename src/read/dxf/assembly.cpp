@@ -9,8 +9,6 @@
 namespace plumbline::dxf {
 namespace {
 
-constexpr const char* kLayerZero = "0";
-
 /// Makes the Structs. A Struct gets its id when it is first referred to, and its body later.
 class Assembly {
  public:

@@ -16,7 +16,6 @@ namespace {
 
 // Groups of a BLOCK.
 constexpr int kName = 2;
-constexpr int kFlags = 70;
 constexpr int kBase = 10;
 constexpr int kExternalPath = 1;
 constexpr std::int64_t kExternal = 4 | 8;  ///< reference or overlay

@@ -14,6 +14,9 @@ Number number_of(const Group& group, Numbers& numbers);
 /// The value as an integer; "1.0" is one. Throws: Unusable, naming the group.
 std::int64_t integer_of(const Group& group, Numbers& numbers);
 
+/// The group that holds the flags of most types of records.
+constexpr int kFlags = 70;
+
 /// A record's groups by their codes; the first one where a code is repeated. Throws: Unusable for
 /// values that are no numbers and for required groups that are missing.
 class Entity {

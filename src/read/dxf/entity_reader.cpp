@@ -12,7 +12,6 @@ constexpr int kHandle = 5;
 constexpr int kBlockName = 2;
 constexpr int kInvisible = 60;
 constexpr int kPaperSpace = 67;
-constexpr const char* kLayerZero = "0";
 constexpr const char* kHeightLeftOut = "z is left out: drawn as it is seen from above";
 
 /// Follows the vertices of a POLYLINE and the attributes of an INSERT.

@@ -10,7 +10,6 @@ namespace plumbline::dxf {
 namespace {
 
 // Flags of a POLYLINE and of its VERTEX records, DXF reference.
-constexpr std::int64_t kClosed = 1;
 constexpr std::int64_t kSplineFit = 4;
 constexpr std::int64_t kInSpace = 8;
 constexpr std::int64_t kMesh = 16;
@@ -50,8 +49,8 @@ DrawnEntity draw_mesh(const Polyline& mesh) {
   return drawn;
 }
 
-void draw_face(const PolylineVertex& face, const std::vector<NumberPoint>& points,
-               bool visible_only, DrawnEntity& drawn) {
+void draw_polyface_face(const PolylineVertex& face, const std::vector<NumberPoint>& points,
+                        bool visible_only, DrawnEntity& drawn) {
   const auto end = std::find(face.face.begin(), face.face.end(), 0);
   const auto corner = [&points](std::int64_t index) -> const NumberPoint& {
     // A negative index hides the edge that starts there.
@@ -81,7 +80,7 @@ DrawnEntity draw_polyface(const Polyline& mesh, bool visible_only) {
   for (const PolylineVertex& vertex : mesh.vertices) {
     if (has(vertex.flags, kMeshVertex) || !has(vertex.flags, kFaceVertex)) continue;
     try {
-      draw_face(vertex, points, visible_only, drawn);
+      draw_polyface_face(vertex, points, visible_only, drawn);
     } catch (const Unusable& problem) {
       drawn.refused.push_back(problem);
     }

@@ -13,8 +13,6 @@ namespace {
 constexpr int kFirstZ = 30;
 constexpr int kLastZ = 33;
 constexpr int kElevation = 38;
-constexpr int kFlags = 70;
-constexpr std::int64_t kClosed = 1;
 
 DrawnEntity draw_line(const Entity& entity, Pen& /*pen*/) {
   DrawnEntity drawn;

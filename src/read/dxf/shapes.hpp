@@ -34,6 +34,8 @@ struct Vertex {
   NumberPoint point;
   Number bulge;
 };
+/// The flag of LWPOLYLINE and POLYLINE that joins the last vertex with the first.
+constexpr std::int64_t kClosed = 1;
 /// A polyline with arcs, in its own coordinates. A closed one ends exactly where it starts.
 /// Degenerate: no closing segment where the last vertex is the first. Throws: Unusable for fewer
 /// than two vertices.

@@ -11,6 +11,9 @@
 
 namespace plumbline::dxf {
 
+/// The layer on which what a block has takes the layer of the INSERT.
+constexpr const char* kLayerZero = "0";
+
 /// An INSERT in its place.
 struct Reference {
   Source source;

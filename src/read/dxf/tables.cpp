@@ -22,7 +22,6 @@ Header header_of(const Record& section) {
 
 void Layers::add(const Entity& entry) {
   constexpr int kName = 2;
-  constexpr int kFlags = 70;
   constexpr int kColour = 62;
   constexpr std::int64_t kFrozen = 1;
   if (entry.text(kName).empty()) throw Unusable{"layer without a name", {}};

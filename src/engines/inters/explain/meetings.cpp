@@ -27,10 +27,6 @@ double cross(const PointD& o, const PointD& p, const PointD& q) {
 }
 double length(const SegmentD& s) { return distance(s.a, s.b); }
 
-PointD point_at(const SegmentD& s, double parameter) {
-  return {s.a.x + parameter * (s.b.x - s.a.x), s.a.y + parameter * (s.b.y - s.a.y)};
-}
-
 /// Of the foot of p on the line of s.
 double parameter_of(const SegmentD& s, const PointD& p) {
   const double x = s.b.x - s.a.x, y = s.b.y - s.a.y;

@@ -8,6 +8,7 @@
 
 #include "engines/inters/stages/hash_order.hpp"
 #include "engines/lar/stages/parallel.hpp"
+#include "geometry/point_d.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
 namespace plumbline::inters {
@@ -40,10 +41,6 @@ std::optional<Parameters> intersect(const SegmentD& s, const SegmentD& t) {
   const double beta = x * (-b * reciprocal) + y * (a * reciprocal);
   if (!is_on_segment(alpha) || !is_on_segment(beta)) return std::nullopt;
   return Parameters{alpha, beta};
-}
-
-PointD point_at(const SegmentD& s, double parameter) {
-  return {s.a.x + parameter * (s.b.x - s.a.x), s.a.y + parameter * (s.b.y - s.a.y)};
 }
 
 /// Distinct values; repeated ones take no room: in a pencil of n lines each is cut n times in one

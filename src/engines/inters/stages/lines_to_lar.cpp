@@ -3,14 +3,11 @@
 #include <string>
 
 #include "engines/inters/stages/hash_order.hpp"
+#include "geometry/point_d.hpp"
 #include "plumbline/engines/inters_stages.hpp"
 
 namespace plumbline::inters {
 namespace {
-
-PointD point_at(const SegmentD& s, double parameter) {
-  return {s.a.x + parameter * (s.b.x - s.a.x), s.a.y + parameter * (s.b.y - s.a.y)};
-}
 
 /// Both ends and the points at the parameters between, in this order.
 std::vector<PointD> outline(const Fragment& fragment) {
