@@ -30,7 +30,7 @@ void give_up_temporary() {
   if (temporary != nullptr) ::unlink(temporary);
 }
 
-void print(std::string_view text) {
+void write_error(std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
     if (written <= 0) return;
@@ -39,7 +39,7 @@ void print(std::string_view text) {
 }
 
 void wipe_progress() {
-  if (::isatty(STDERR_FILENO) != 0) print("\r\033[K");
+  if (::isatty(STDERR_FILENO) != 0) write_error("\r\033[K");
 }
 
 /// Ends as the signal would have ended it, so that a shell's loop ends, too.
@@ -108,9 +108,9 @@ void Watchdog::watch() {
 void end_with(std::string_view error) {
   give_up_temporary();
   wipe_progress();
-  print("plumbline: ");
-  print(error);
-  print("\n");
+  write_error("plumbline: ");
+  write_error(error);
+  write_error("\n");
   std::_Exit(kBadInput);
 }
 

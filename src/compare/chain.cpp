@@ -12,10 +12,10 @@ namespace {
 /// Some hundred roundings of the numbers in `is_surely_far`, whose products have few.
 constexpr double kSlack = 0x1p-45;
 
-class Search {
+class ChainSearch {
  public:
-  Search(const Sides& sides, Side side, VertexId goal, const Segment& ab,
-         const std::vector<bool>& is_usable, std::size_t& steps)
+  ChainSearch(const Sides& sides, Side side, VertexId goal, const Segment& ab,
+              const std::vector<bool>& is_usable, std::size_t& steps)
       : sides_(sides), side_(side), goal_(goal), ab_(ab), is_usable_(is_usable), steps_(steps) {}
 
   std::vector<HalfedgeId> from(VertexId start) {
@@ -91,7 +91,7 @@ class Search {
 std::vector<HalfedgeId> chain_along(const Sides& sides, Side side, VertexId p, VertexId q,
                                     const Segment& ab, const std::vector<bool>& is_usable,
                                     std::size_t& steps) {
-  return Search(sides, side, q, ab, is_usable, steps).from(p);
+  return ChainSearch(sides, side, q, ab, is_usable, steps).from(p);
 }
 
 }  // namespace plumbline::compare_steps

@@ -15,12 +15,12 @@ namespace plumbline::compare_steps {
 namespace {
 
 /// Neighbouring faces of the overlay with the same windings.
-struct Place {
+struct OverlayPlace {
   std::vector<FaceId> parts;
   Rational area;
 };
 
-std::vector<Place> places(const Overlaid& overlaid) {
+std::vector<OverlayPlace> places(const Overlaid& overlaid) {
   const ExactComplex& c = overlaid.complex;
   UnionFind sets(c.face_count());
   for (std::size_t e = 0; e < c.edge_count(); ++e) {
@@ -29,20 +29,20 @@ std::vector<Place> places(const Overlaid& overlaid) {
     if (overlaid.windings[f] == overlaid.windings[g]) sets.unite(f, g);
   }
   const std::vector<Rational> areas = face_areas(c);
-  std::map<std::size_t, Place> by_least;
+  std::map<std::size_t, OverlayPlace> by_least;
   for (std::size_t f = 0; f < areas.size(); ++f) {
     if (sets.find(f) == kUnbounded) continue;
-    Place& place = by_least[sets.find(f)];
+    OverlayPlace& place = by_least[sets.find(f)];
     place.parts.emplace_back(f);
     place.area += areas[f];
   }
-  std::vector<Place> result;
+  std::vector<OverlayPlace> result;
   for (auto& entry : by_least) result.push_back(std::move(entry.second));
   return result;
 }
 
 /// Whether the place is no wider than the tolerance.
-bool is_sliver(const Overlaid& overlaid, const Place& place, double tolerance) {
+bool is_sliver(const Overlaid& overlaid, const OverlayPlace& place, double tolerance) {
   double perimeter = 0;
   for (const FaceId part : place.parts)
     for (const HalfedgeId h : overlaid.complex.cycles[overlaid.complex.face_outer[part]])
@@ -103,7 +103,7 @@ std::vector<Finding> miscoverings(const Sides& sides, const std::vector<Finding>
         if (number[e] == 0) number[e] = i + 1;
 
   std::vector<Finding> findings;
-  for (const Place& place : places(*overlaid)) {
+  for (const OverlayPlace& place : places(*overlaid)) {
     const Windings& windings = overlaid->windings[place.parts.front()];
     const std::string message = fault(windings, rough(nearest_double(place.area)));
     if (message.empty() || is_sliver(*overlaid, place, sides.tolerance)) continue;

@@ -13,7 +13,7 @@ namespace {
 
 /// Two signed units in the last place of the largest coordinate, times a dozen operations: bounds
 /// the rounding of a crossing computed in doubles.
-constexpr double kRelativeSlack = 0x1p-48;
+constexpr double kCrossingSlack = 0x1p-48;
 
 /// A non-horizontal edge, from its lower to its upper end.
 struct Rising {
@@ -56,7 +56,7 @@ struct Interval {
   double low, high;
 };
 Interval approximate_crossing(const Rising& e, double y, double magnitude) {
-  const double slack = kRelativeSlack * magnitude;
+  const double slack = kCrossingSlack * magnitude;
   const double dx = e.high_d.x - e.low_d.x, dy = e.high_d.y - e.low_d.y;
   if (dy <= slack)
     return {std::min(e.low_d.x, e.high_d.x) - slack, std::max(e.low_d.x, e.high_d.x) + slack};
@@ -74,7 +74,7 @@ class Sweep {
   FaceId locate(const Point& p) {
     const PointD rounded = nearest(p);
     advance(p, rounded.y);
-    const double slack = kRelativeSlack * magnitude_;
+    const double slack = kCrossingSlack * magnitude_;
     const Rising* first = nullptr;
     Interval first_at{};
     for (const std::size_t i : active_) {

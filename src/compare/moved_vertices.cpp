@@ -40,9 +40,9 @@ std::vector<Shape> shapes(const ExactComplex& complex) {
   return result;
 }
 
-class Search {
+class MovedVertexSearch {
  public:
-  Search(const Sides& sides, const Both<std::vector<VertexId>>& match)
+  MovedVertexSearch(const Sides& sides, const Both<std::vector<VertexId>>& match)
       : sides_(sides), match_(match) {}
 
   std::vector<VertexPair> run() {
@@ -75,7 +75,7 @@ class Search {
 };
 
 /// Whether the shapes are the same, and no match and no source says that they are not.
-bool Search::are_alike(const Shape& here, const Shape& there) const {
+bool MovedVertexSearch::are_alike(const Shape& here, const Shape& there) const {
   if (here.vertices.size() != there.vertices.size() || here.ends != there.ends) return false;
   for (std::size_t i = 0; i < here.vertices.size(); ++i) {
     const VertexId w = match_[Exact][here.vertices[i]], v = match_[Float][there.vertices[i]];
@@ -87,7 +87,7 @@ bool Search::are_alike(const Shape& here, const Shape& there) const {
   return true;
 }
 
-void Search::pair_components() {
+void MovedVertexSearch::pair_components() {
   const Both<std::vector<Shape>> all = {shapes(sides_[Exact]), shapes(sides_[Float])};
   const auto pair = [&](const Shape& here, const Shape& there) {
     if (!are_alike(here, there)) return;
@@ -114,7 +114,8 @@ void Search::pair_components() {
 
 /// The vertices without a match, by the exact names of their matched neighbours (at least one) and
 /// their degree.
-std::map<std::vector<std::size_t>, std::vector<VertexId>> Search::by_neighbours(Side side) const {
+std::map<std::vector<std::size_t>, std::vector<VertexId>> MovedVertexSearch::by_neighbours(
+    Side side) const {
   std::map<std::vector<std::size_t>, std::vector<VertexId>> result;
   for (std::size_t v = 0; v < match_[side].size(); ++v) {
     if (match_[side][v].valid()) continue;
@@ -131,7 +132,7 @@ std::map<std::vector<std::size_t>, std::vector<VertexId>> Search::by_neighbours(
   return result;
 }
 
-bool Search::have_common_sources(VertexId v, VertexId w) const {
+bool MovedVertexSearch::have_common_sources(VertexId v, VertexId w) const {
   for (const HalfedgeId h : sides_.outgoing[Exact][v]) {
     const VertexId there = match_[Exact][sides_[Exact].target(h)];
     if (!there.valid()) continue;
@@ -143,7 +144,7 @@ bool Search::have_common_sources(VertexId v, VertexId w) const {
 }
 
 /// Whether a pair was found.
-bool Search::pair_by_neighbours() {
+bool MovedVertexSearch::pair_by_neighbours() {
   const auto exacts = by_neighbours(Exact), floats = by_neighbours(Float);
   const std::size_t before = found_.size();
   std::vector<VertexPair> pairs;
@@ -161,7 +162,7 @@ bool Search::pair_by_neighbours() {
 
 std::vector<VertexPair> moved_vertices(const Sides& sides,
                                        const Both<std::vector<VertexId>>& match) {
-  return Search(sides, match).run();
+  return MovedVertexSearch(sides, match).run();
 }
 
 }  // namespace plumbline::compare_steps

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kNearestProposals = 8;
 // A rough coordinate is off by less than 2^-52 of the largest, so a distance of two rough points by
 // less than 2^-50 of it; the rest is room for rounding in the tree.
-constexpr double kRelativeSlack = 0x1p-48;
+constexpr double kDistanceSlack = 0x1p-48;
 
 double finite(double value) {
   constexpr double kLargest = std::numeric_limits<double>::max();
@@ -83,7 +83,7 @@ std::vector<Near> NearVertices::within(const Point& p, double tolerance,
   const PointD q = tree.scaled(p);
   const double magnitude = std::max({1.0, std::abs(q.x), std::abs(q.y)});
   const double radius =
-      std::ldexp(tolerance, -tree.exponent) * (1 + kRelativeSlack) + magnitude * kRelativeSlack;
+      std::ldexp(tolerance, -tree.exponent) * (1 + kDistanceSlack) + magnitude * kDistanceSlack;
   std::vector<Near> result = confirmed(p, tree.index.nearest(q, kMaxNeighbours, radius));
   const auto is_far = [&](const Near& near) { return near.squared_distance > squared_tolerance; };
   result.erase(std::find_if(result.begin(), result.end(), is_far), result.end());

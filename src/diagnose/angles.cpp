@@ -14,13 +14,13 @@ const Rational& most_squared_sine() {
   static const Rational value(1, 10'000);
   return value;
 }
-constexpr double kMostSine = 0.01, kMargin = 1e-3;
+constexpr double kMostSine = 0.01, kAngleMargin = 1e-3;
 
-struct Vector {
+struct Direction {
   Rational x, y;
 };
 
-Vector from(const LineGraph& graph, VertexId v, EdgeId e) {
+Direction from(const LineGraph& graph, VertexId v, EdgeId e) {
   const auto& vertices = graph.complex().vertices;
   const Point &p = vertices[v], &q = vertices[graph.other_end(e, v)];
   return {q.x - p.x, q.y - p.y};
@@ -32,14 +32,14 @@ bool is_clearly_wide(const LineGraph& graph, VertexId v, EdgeId e, EdgeId f) {
                &q = graph.rounded(graph.other_end(f, v));
   const double ux = p.x - o.x, uy = p.y - o.y, wx = q.x - o.x, wy = q.y - o.y;
   const double u = std::hypot(ux, uy), w = std::hypot(wx, wy);
-  if (std::min(u, w) * kMargin * kMostSine < graph.slack()) return false;
+  if (std::min(u, w) * kAngleMargin * kMostSine < graph.slack()) return false;
   return (ux / u) * (wx / w) + (uy / u) * (wy / w) < 0 ||
-         std::abs((ux / u) * (wy / w) - (uy / u) * (wx / w)) > kMostSine * (1 + kMargin);
+         std::abs((ux / u) * (wy / w) - (uy / u) * (wx / w)) > kMostSine * (1 + kAngleMargin);
 }
 
 /// A line through a vertex: dy / dx in lowest terms, 1 / 0 for an upright one.
 using Slope = std::pair<mpz_class, mpz_class>;
-Slope slope(const Vector& u) {
+Slope slope(const Direction& u) {
   if (sgn(u.x) == 0) return {1, 0};
   const Rational ratio = u.y / u.x;
   return {ratio.get_num(), ratio.get_den()};
@@ -65,7 +65,7 @@ class Angles {
  private:
   void look_at(VertexId v, EdgeId e, EdgeId f) {
     if (e == f || is_clearly_wide(graph_, v, e, f)) return;
-    const Vector u = from(graph_, v, e), w = from(graph_, v, f);
+    const Direction u = from(graph_, v, e), w = from(graph_, v, f);
     if (sgn(Rational(u.x * w.x + u.y * w.y)) < 0) return;
     const Rational cross = u.x * w.y - u.y * w.x;
     Rational squared = cross * cross / Rational((u.x * u.x + u.y * u.y) * (w.x * w.x + w.y * w.y));

@@ -11,7 +11,7 @@ namespace {
 // P^2 / (4 A), the ratio of a long rectangle's sides; 4 for a square, pi for a disc.
 constexpr int kLeastElongation = 10;
 // What lengths and areas in doubles may be off by, relatively, to be believed.
-constexpr double kMargin = 1e-6;
+constexpr double kRoughMargin = 1e-6;
 
 /// The edges that bound a face, antennas left out.
 std::vector<EdgeId> boundary(const ExactComplex& complex, FaceId f) {
@@ -32,9 +32,9 @@ bool is_clearly_none(const LineGraph& graph, const std::vector<EdgeId>& edges, d
   double perimeter = 0;
   for (const EdgeId e : edges) perimeter += graph.approx_length(e);
   const double off = 2 * graph.slack() * static_cast<double>(edges.size());
-  const double longest = (perimeter + off) * (1 + kMargin);
-  return 2 * area * (1 - kMargin) > within * longest ||
-         longest * longest < 4 * kLeastElongation * area * (1 - kMargin);
+  const double longest = (perimeter + off) * (1 + kRoughMargin);
+  return 2 * area * (1 - kRoughMargin) > within * longest ||
+         longest * longest < 4 * kLeastElongation * area * (1 - kRoughMargin);
 }
 
 /// Compares sums of roots with rational numbers: P with 2 A / d, and P sqrt(40 A) with 40 A.

@@ -11,10 +11,10 @@ constexpr int kMaxDepth = 16;
 /// Longest entity name that is looked for.
 constexpr std::size_t kMaxName = 256;
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kXmlBlanks = " \t\r\n";
 
 void skip_blanks(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  text.remove_prefix(std::min(text.find_first_not_of(kXmlBlanks), text.size()));
 }
 
 void skip_behind(std::string_view& text, std::string_view end) {

@@ -50,23 +50,23 @@ std::string name_of(Member member) {
 
 /// A type of GeoJSON, and the member that holds its content. A `depth` other than 0 is that of the
 /// positions in its coordinates.
-struct Type {
+struct GeoJsonType {
   const char* name;
   Member content;
   std::size_t depth = 0;
 };
 
-constexpr std::array<Type, 9> kTypes = {{{"Point", kCoordinates, 1},
-                                         {"MultiPoint", kCoordinates, 2},
-                                         {"LineString", kCoordinates, 2},
-                                         {"MultiLineString", kCoordinates, 3},
-                                         {"Polygon", kCoordinates, 3},
-                                         {"MultiPolygon", kCoordinates, 4},
-                                         {"GeometryCollection", kGeometries},
-                                         {"Feature", kGeometry},
-                                         {"FeatureCollection", kFeatures}}};
+constexpr std::array<GeoJsonType, 9> kGeoJsonTypes = {{{"Point", kCoordinates, 1},
+                                                       {"MultiPoint", kCoordinates, 2},
+                                                       {"LineString", kCoordinates, 2},
+                                                       {"MultiLineString", kCoordinates, 3},
+                                                       {"Polygon", kCoordinates, 3},
+                                                       {"MultiPolygon", kCoordinates, 4},
+                                                       {"GeometryCollection", kGeometries},
+                                                       {"Feature", kGeometry},
+                                                       {"FeatureCollection", kFeatures}}};
 
-bool fits(const Type& type, Slot slot) {
+bool fits(const GeoJsonType& type, Slot slot) {
   if (slot == Slot::Document) return true;
   if (slot == Slot::Feature) return type.content == kGeometry;
   return type.content == kCoordinates || type.content == kGeometries;
@@ -77,7 +77,7 @@ struct Level {
   bool is_array = false;
   Slot slot = Slot::Document;  ///< of the object, or of those in the array
   unsigned members = 0;        ///< seen so far
-  const Type* type = nullptr;
+  const GeoJsonType* type = nullptr;
   Place place;
 };
 
@@ -227,9 +227,10 @@ class GeoJsonReader {
 
   void set_type(JsonScalar kind, std::string_view text) {
     Level& level = levels_.back();
-    const auto* const known = std::find_if(kTypes.begin(), kTypes.end(),
-                                           [text](const Type& type) { return type.name == text; });
-    if (kind == JsonScalar::String && known != kTypes.end()) {
+    const auto* const known =
+        std::find_if(kGeoJsonTypes.begin(), kGeoJsonTypes.end(),
+                     [text](const GeoJsonType& type) { return type.name == text; });
+    if (kind == JsonScalar::String && known != kGeoJsonTypes.end()) {
       level.type = known;
     } else if (level.slot == Slot::Document) {
       throw Error(ErrorCode::BadInput, "not GeoJSON: unknown type", bytes_.place(),
@@ -297,7 +298,7 @@ class GeoJsonReader {
     draw_coordinates(*level.type, feature_place_.line == 0 ? level.place : feature_place_);
   }
 
-  void draw_coordinates(const Type& type, const Place& place) {
+  void draw_coordinates(const GeoJsonType& type, const Place& place) {
     const std::string_view name = type.name;
     if (coordinates_.has_other_coordinates()) table_.note_other_coordinates(name, place);
     if (name.ends_with("Point")) {

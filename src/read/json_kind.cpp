@@ -34,7 +34,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 5> kForeign = {
      {"fillRule", "iOverlay"}}};
 
 template <class Names>
-auto find(const Names& names, std::string_view name) {
+auto known_name(const Names& names, std::string_view name) {
   return std::find_if(names.begin(), names.end(),
                       [name](const auto& known) { return known.first == name; });
 }
@@ -50,9 +50,9 @@ class KindFinder {
   void key(std::string_view name) {
     if (depth_ != 1 || kind_) return;
     is_type_ = name == "type";
-    const auto* const telling = find(kTelling, name);
+    const auto* const telling = known_name(kTelling, name);
     if (telling != kTelling.end()) kind_ = telling->second;
-    const auto* const foreign = find(kForeign, name);
+    const auto* const foreign = known_name(kForeign, name);
     if (foreign == kForeign.end() || kind_) return;
     throw Error(ErrorCode::BadInput,
                 std::string("JSON of a format that is not read: ") + foreign->second,

@@ -27,7 +27,7 @@ enum Kind : std::uint32_t {
 };
 constexpr std::uint32_t kMany = std::numeric_limits<std::uint32_t>::max();
 
-const char* name_of(std::uint32_t kind) {
+const char* name_of_kind(std::uint32_t kind) {
   constexpr std::array<const char*, 18> kNames = {
       nullptr,      "Point",           "LineString",   "Polygon",
       "MultiPoint", "MultiLineString", "MultiPolygon", "GeometryCollection",
@@ -158,7 +158,7 @@ class WkbReader {
     const std::uint32_t iso = code & ~(kFlagZ | kFlagM | kFlagSrid);
     const std::uint32_t dimensions = iso / 1000;  // 1: Z, 2: M, 3: ZM
     header.kind = iso % 1000;
-    if (name_of(header.kind) == nullptr || dimensions > 3) {
+    if (name_of_kind(header.kind) == nullptr || dimensions > 3) {
       bytes_.fail("geometry of unknown type " + std::to_string(code));
     }
     const bool has_z = (code & kFlagZ) != 0 || dimensions == 1 || dimensions == 3;
@@ -172,7 +172,7 @@ class WkbReader {
   void read_one(std::uint32_t expected) {
     const Header header = take_header();
     if (expected != kMany && header.kind != expected) {
-      bytes_.fail(std::string(name_of(header.kind)) + " where a " + name_of(expected) +
+      bytes_.fail(std::string(name_of_kind(header.kind)) + " where a " + name_of_kind(expected) +
                   " was expected");
     }
     const bool is_part = expected != kMany;
@@ -221,7 +221,7 @@ class WkbReader {
   }
 
   void draw(std::uint32_t kind) {
-    const char* const name = name_of(kind);
+    const char* const name = name_of_kind(kind);
     if (!is_finite_) {
       table_.refuse(name, place_, "coordinate is not a finite number", {});
       return;

@@ -13,33 +13,33 @@ namespace plumbline {
 namespace {
 
 /// A type, its name in other formats, how deep its positions stand in parentheses.
-struct Type {
+struct WktType {
   std::string_view word;
   std::string_view element;
   std::size_t depth;
 };
 
-constexpr std::array<Type, 11> kTypes = {{{"POINT", "Point", 1},
-                                          {"LINESTRING", "LineString", 1},
-                                          {"LINEARRING", "LinearRing", 1},
-                                          {"POLYGON", "Polygon", 2},
-                                          {"TRIANGLE", "Triangle", 2},
-                                          {"MULTIPOINT", "MultiPoint", 1},
-                                          {"MULTILINESTRING", "MultiLineString", 2},
-                                          {"MULTIPOLYGON", "MultiPolygon", 3},
-                                          {"POLYHEDRALSURFACE", "PolyhedralSurface", 3},
-                                          {"TIN", "Tin", 3},
-                                          {"GEOMETRYCOLLECTION", "GeometryCollection", 0}}};
+constexpr std::array<WktType, 11> kWktTypes = {{{"POINT", "Point", 1},
+                                                {"LINESTRING", "LineString", 1},
+                                                {"LINEARRING", "LinearRing", 1},
+                                                {"POLYGON", "Polygon", 2},
+                                                {"TRIANGLE", "Triangle", 2},
+                                                {"MULTIPOINT", "MultiPoint", 1},
+                                                {"MULTILINESTRING", "MultiLineString", 2},
+                                                {"MULTIPOLYGON", "MultiPolygon", 3},
+                                                {"POLYHEDRALSURFACE", "PolyhedralSurface", 3},
+                                                {"TIN", "Tin", 3},
+                                                {"GEOMETRYCOLLECTION", "GeometryCollection", 0}}};
 
 /// Types of the standard that hold arcs.
 constexpr std::array<std::string_view, 5> kCurved = {"CIRCULARSTRING", "COMPOUNDCURVE",
                                                      "CURVEPOLYGON", "MULTICURVE", "MULTISURFACE"};
 
-bool has_rings(const Type& type) {
+bool has_rings(const WktType& type) {
   return type.depth > 1 ? type.word != "MULTILINESTRING" : type.word == "LINEARRING";
 }
 
-bool has_points(const Type& type) { return type.word.ends_with("POINT"); }
+bool has_points(const WktType& type) { return type.word.ends_with("POINT"); }
 
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
 
@@ -58,7 +58,7 @@ class WktReader {
     std::size_t collections = 0;  // that are open
     do {
       bytes_.skip_blanks();
-      const std::optional<Type> type = take_type();
+      const std::optional<WktType> type = take_type();
       if (type && type->depth == 0) {
         if (take_empty()) {
           close_collections(collections);
@@ -117,7 +117,7 @@ class WktReader {
   }
 
   /// The type that starts here with its Z and M; none for a curved one, which is passed over.
-  std::optional<Type> take_type() {
+  std::optional<WktType> take_type() {
     const Place here = bytes_.place();
     std::string word = take_word();
     if (word == "SRID") {
@@ -127,10 +127,10 @@ class WktReader {
     const auto fits = [&word](std::string_view name) {
       return word.starts_with(name) && among_dimensions(std::string_view(word).substr(name.size()));
     };
-    const auto* const known = std::find_if(kTypes.begin(), kTypes.end(),
-                                           [&](const Type& type) { return fits(type.word); });
+    const auto* const known = std::find_if(kWktTypes.begin(), kWktTypes.end(),
+                                           [&](const WktType& type) { return fits(type.word); });
     const bool is_curved = std::any_of(kCurved.begin(), kCurved.end(), fits);
-    if (known == kTypes.end() && !is_curved) {
+    if (known == kWktTypes.end() && !is_curved) {
       throw Error(ErrorCode::BadInput, "not WKT: unknown geometry", here,
                   word.empty() ? printable(bytes_.ahead().substr(0, 1)) : word);
     }
@@ -170,7 +170,7 @@ class WktReader {
     }
   }
 
-  void read_body(const Type& type) {
+  void read_body(const WktType& type) {
     lines_.clear();
     problem_ = {};
     most_numbers_ = 0;
@@ -197,12 +197,12 @@ class WktReader {
     }
   }
 
-  void close_list(const Type& type, std::size_t depth) {
+  void close_list(const WktType& type, std::size_t depth) {
     if (depth == type.depth) lines_.end_line();
     if (depth + 1 == type.depth) lines_.end_polygon();
   }
 
-  void read_item(const Type& type, std::size_t depth) {
+  void read_item(const WktType& type, std::size_t depth) {
     const bool is_word = bytes_.peek() == 'E' || bytes_.peek() == 'e';  // no number begins so
     if (is_word && (depth < type.depth || has_points(type))) {
       if (take_word() != "EMPTY") bytes_.fail("not WKT: expected a list or EMPTY");
@@ -250,7 +250,7 @@ class WktReader {
     return number_;
   }
 
-  void draw(const Type& type) {
+  void draw(const WktType& type) {
     if (!problem_.reason.empty()) {
       table_.refuse(type.element, place_, problem_.reason, problem_.text);
       return;

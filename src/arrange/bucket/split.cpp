@@ -18,7 +18,7 @@ constexpr double kDense = 0.2, kProgressIfDense = 1.9;
 constexpr double kGood = 1.1, kAligned = 0.9;
 
 /// What a few pairs of lines say about all of them, as far as doubles can tell.
-struct Pairs {
+struct PairSample {
   bool pencil = false;  ///< nearly all lines go through one point
   double crossing = 0;  ///< the share of pairs that cross inside the box
 };
@@ -37,11 +37,11 @@ bool is_pencil(const PointD& p, double tolerance, const std::vector<LineId>& mem
   return static_cast<double>(through) >= kNearly * kProbes;
 }
 
-Pairs look_at_pairs(const Box& box, const std::vector<LineId>& members,
-                    std::span<const Approx> lines, double margin) {
+PairSample look_at_pairs(const Box& box, const std::vector<LineId>& members,
+                         std::span<const Approx> lines, double margin) {
   constexpr std::size_t kPairs = 32;
   constexpr double kSlack = 16;
-  Pairs result;
+  PairSample result;
   PointD best{};
   double best_sine = 0;
   for (std::size_t k = 0; k < kPairs; ++k) {
@@ -145,7 +145,7 @@ std::pair<PointD, PointD> clipped(const Approx& l, const Box& box, double slack)
 Split split(const Box& box, const std::vector<LineId>& members, std::span<const Approx> lines,
             double margin) {
   if (members.size() <= kFullBucket) return {};
-  const Pairs pairs = look_at_pairs(box, members, lines, margin);
+  const PairSample pairs = look_at_pairs(box, members, lines, margin);
   if (pairs.pencil) return {};
   const PointD normal = best_normal(box, members, lines, margin);
   Split best = split_along(normal, box, members, lines, margin);

@@ -92,15 +92,15 @@ auto radii(const std::optional<RightRadii>& radii) {
       member("tried_radii", list(radii ? radii->tried : std::vector<TriedRadius>(), trial)));
 }
 
-auto distance(const Rational& squared) {
+auto distance_members(const Rational& squared) {
   return members(member("squared_distance", squared), member("distance", nearest_sqrt(squared)));
 }
 
 auto feature_size(const FeatureSize& size) {
-  return object(member("vertex_vertex", object(distance(size.squared_vertex_vertex),
+  return object(member("vertex_vertex", object(distance_members(size.squared_vertex_vertex),
                                                member("vertices", std::array{size.v, size.w}))),
                 member("vertex_edge", given(size.edge.valid(), [&size] {
-                         return object(distance(size.squared_vertex_edge),
+                         return object(distance_members(size.squared_vertex_edge),
                                        member("vertex", size.vertex), member("edge", size.edge));
                        })));
 }

@@ -16,7 +16,7 @@ auto point(std::span<const Number> coordinates) {
   return list(coordinates, [](const Number& x) { return decimal(x.rational()); });
 }
 
-auto cells(const Cells& of_one_dimension) {
+auto cell_list(const Cells& of_one_dimension) {
   return list(of_one_dimension.size(),
               [&of_one_dimension](std::size_t c) { return of_one_dimension[c]; });
 }
@@ -27,13 +27,14 @@ auto model_members(const LarModel& model) {
   const std::size_t count = model.cells.size();
   const bool have_names = count > 0 && count <= kNames.size();
   const std::size_t first = count == 2 ? 1 : 0;  // (V, CV), (V, FV, EV), (V, CV, FV, EV)
-  return members(member("V", list(model.vertex_count(),
-                                  [&model](std::size_t v) { return point(model.vertex(v)); })),
-                 when(!have_names, [&model] { return member("cells", list(model.cells, cells)); }),
-                 each(std::views::iota(std::size_t{0}, have_names ? count : 0),
-                      [&model, kNames, first](std::size_t k) {
-                        return member(kNames.at(first + k), cells(model.cells[k]));
-                      }));
+  return members(
+      member("V", list(model.vertex_count(),
+                       [&model](std::size_t v) { return point(model.vertex(v)); })),
+      when(!have_names, [&model] { return member("cells", list(model.cells, cell_list)); }),
+      each(std::views::iota(std::size_t{0}, have_names ? count : 0),
+           [&model, kNames, first](std::size_t k) {
+             return member(kNames.at(first + k), cell_list(model.cells[k]));
+           }));
 }
 
 /// The rows of the matrix, that below the map's own included.

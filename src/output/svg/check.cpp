@@ -14,31 +14,30 @@
 namespace plumbline {
 namespace {
 
-using svg::Box;
 using Out = std::back_insert_iterator<std::string>;
 
 namespace sheet = svg::sheet;
 
-constexpr double kHeader = 96, kLegend = 56;  // in pixels
+constexpr double kCheckHeader = 96, kLegend = 56;  // in pixels
 
 struct Layout {
-  Box content;
-  Box left, right;
+  svg::Box content;
+  svg::Box left, right;
   double height;
 };
 
 Layout layout(const FloatComplex& exact_rounded, const FloatComplex& float_complex) {
   const bool has_exact = !exact_rounded.vertices.empty();
   const bool has_float = !float_complex.vertices.empty();
-  Box content = svg::bounds((has_exact ? exact_rounded : float_complex).vertices);
+  svg::Box content = svg::bounds((has_exact ? exact_rounded : float_complex).vertices);
   if (has_exact && has_float) content = svg::hull(content, svg::bounds(float_complex.vertices));
   content = sheet::content(content);
   const double height = sheet::panel_height(content);
   const auto panel_at = [&](double x) {
-    return Box{{x, kHeader}, {x + sheet::kPanelWidth, kHeader + height}};
+    return svg::Box{{x, kCheckHeader}, {x + sheet::kPanelWidth, kCheckHeader + height}};
   };
   return {content, panel_at(sheet::kMargin), panel_at(2 * sheet::kMargin + sheet::kPanelWidth),
-          kHeader + height + kLegend};
+          kCheckHeader + height + kLegend};
 }
 
 /// The cells of one side that the findings speak of. A face that is only reshaped is not filled:
@@ -65,7 +64,7 @@ svg::Marks marks_of(const Comparison& comparison, const Incidences& complex,
   return marks;
 }
 
-std::string drawn_panel(const Box& box, const Layout& where, const FloatComplex& complex,
+std::string drawn_panel(const svg::Box& box, const Layout& where, const FloatComplex& complex,
                         const svg::Marks& marks, const Check& check) {
   const Comparison& comparison = check.comparison;
   const svg::Frame frame = sheet::frame(where.content, box, check.input.y_up);
@@ -78,12 +77,12 @@ std::string drawn_panel(const Box& box, const Layout& where, const FloatComplex&
          labelled_rings(places, box);
 }
 
-std::string panel_title(const Box& box, const std::string& title, const Counts& counts) {
+std::string panel_title(const svg::Box& box, const std::string& title, const Counts& counts) {
   const std::string numbers =
       fmt::format("V {}   E {}   F {}", counts.vertices, counts.edges, counts.faces);
-  return svg::text({box.low.x, kHeader - 12}, 18, " font-weight=\"bold\"", title) +
-         svg::text({box.high.x, kHeader - 12}, 16, " text-anchor=\"end\" xml:space=\"preserve\"",
-                   numbers);
+  return svg::text({box.low.x, kCheckHeader - 12}, 18, " font-weight=\"bold\"", title) +
+         svg::text({box.high.x, kCheckHeader - 12}, 16,
+                   " text-anchor=\"end\" xml:space=\"preserve\"", numbers);
 }
 
 std::string legend(const Layout& where, const Check& check) {

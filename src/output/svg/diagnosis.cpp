@@ -17,9 +17,9 @@ using Out = std::back_insert_iterator<std::string>;
 
 namespace sheet = svg::sheet;
 
-constexpr double kHeader = 64, kTitle = 40;  // in pixels
+constexpr double kDiagnosisHeader = 64, kTitle = 40;  // in pixels
 constexpr std::size_t kColumns = 2;
-constexpr double kMarkPens = 2.5;
+constexpr double kDefectPens = 2.5;
 
 /// Defects of one kind: positions in the list of all.
 struct Group {
@@ -73,7 +73,7 @@ std::string marked_edges(const Base& base, const Diagnosis& diagnosis, const Gro
   return fmt::format(
       "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" "
       "d=\"{}\"/>\n",
-      svg::kMark, shortest_text(kMarkPens * base.pen), path);
+      svg::kMark, shortest_text(kDefectPens * base.pen), path);
 }
 
 std::string title(const Diagnosis& diagnosis, const Group& group) {
@@ -111,7 +111,8 @@ std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
   const std::size_t panels = std::max<std::size_t>(kinds.size(), 1);
   const std::size_t rows = (panels + kColumns - 1) / kColumns;
   const double row_height = base.panel.height() + kTitle + sheet::kMargin;
-  std::string svg = sheet::open(sheet::kWidth, kHeader + static_cast<double>(rows) * row_height);
+  std::string svg =
+      sheet::open(sheet::kWidth, kDiagnosisHeader + static_cast<double>(rows) * row_height);
   fmt::format_to(Out(svg),
                  "<defs><g id=\"drawing\">\n<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\" "
                  "stroke=\"#c9d1d9\"/>\n{}</g></defs>\n",
@@ -123,11 +124,11 @@ std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
     svg +=
         panel(base, diagnosis, kinds[i],
               {sheet::kMargin + static_cast<double>(column) * (sheet::kPanelWidth + sheet::kMargin),
-               kHeader + kTitle + static_cast<double>(row) * row_height});
+               kDiagnosisHeader + kTitle + static_cast<double>(row) * row_height});
   }
   if (kinds.empty())
     fmt::format_to(Out(svg), "<use href=\"#drawing\" x=\"{}\" y=\"{}\"/>\n", sheet::kMargin,
-                   kHeader + kTitle);
+                   kDiagnosisHeader + kTitle);
   return svg + "</svg>\n";
 }
 

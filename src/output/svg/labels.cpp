@@ -13,13 +13,12 @@
 namespace plumbline {
 namespace {
 
-using svg::Box;
 using Out = std::back_insert_iterator<std::string>;
 
 constexpr double kLargestRing = 8, kSmallestRing = 3;
 constexpr double kFontSize = 13;
 constexpr double kDigitWidth = 0.62 * kFontSize;  // digits of the usual sans-serif fonts
-constexpr double kGap = 6, kBaseline = 2;
+constexpr double kLabelGap = 6, kBaseline = 2;
 constexpr double kSameRing = 2;  // pixels; rings closer than this look like one
 constexpr double kBucket = 5;    // pixels; space for labels is handed out in such squares
 constexpr std::size_t kMaxOnLabel = 4;
@@ -54,16 +53,16 @@ double ring_radius(std::size_t rings) {
 /// Hands out the space of a panel.
 class Space {
  public:
-  explicit Space(const Box& panel) : panel_(panel) {}
+  explicit Space(const svg::Box& panel) : panel_(panel) {}
 
   /// Takes the box, whatever is there.
-  void reserve(const Box& box) {
+  void reserve(const svg::Box& box) {
     const auto squares = squares_of(box);
     taken_.insert(squares.begin(), squares.end());
   }
 
   /// Takes the box unless it leaves the panel or a part of it is taken.
-  bool take(const Box& box) {
+  bool take(const svg::Box& box) {
     if (box.low.x < panel_.low.x || box.high.x > panel_.high.x || box.low.y < panel_.low.y ||
         box.high.y > panel_.high.y)
       return false;
@@ -75,7 +74,7 @@ class Space {
   }
 
  private:
-  static std::vector<std::pair<long, long>> squares_of(const Box& box) {
+  static std::vector<std::pair<long, long>> squares_of(const svg::Box& box) {
     std::vector<std::pair<long, long>> squares;
     for (long x = std::lround(box.low.x / kBucket); x <= std::lround(box.high.x / kBucket); ++x)
       for (long y = std::lround(box.low.y / kBucket); y <= std::lround(box.high.y / kBucket); ++y)
@@ -83,15 +82,15 @@ class Space {
     return squares;
   }
 
-  Box panel_;
+  svg::Box panel_;
   std::set<std::pair<long, long>> taken_;
 };
 
 /// Places of a label beside a ring, the preferred one first.
-std::vector<Box> label_boxes(const PointD& ring, double radius, double width) {
-  const double away = radius + kGap, half = kFontSize / 2;
+std::vector<svg::Box> label_boxes(const PointD& ring, double radius, double width) {
+  const double away = radius + kLabelGap, half = kFontSize / 2;
   const auto box = [&](double x, double y) {
-    return Box{{ring.x + x, ring.y + y}, {ring.x + x + width, ring.y + y + kFontSize}};
+    return svg::Box{{ring.x + x, ring.y + y}, {ring.x + x + width, ring.y + y + kFontSize}};
   };
   return {box(away, -half),
           box(-away - width, -half),
@@ -103,14 +102,14 @@ std::vector<Box> label_boxes(const PointD& ring, double radius, double width) {
           box(-away - width, away)};
 }
 
-void append_label(std::string& svg, const Box& box, const std::string& text) {
+void append_label(std::string& svg, const svg::Box& box, const std::string& text) {
   fmt::format_to(Out(svg), "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", box.low.x,
                  box.high.y - kBaseline, text);
 }
 
 }  // namespace
 
-std::string labelled_rings(const std::vector<FindingPlace>& places, const Box& panel) {
+std::string labelled_rings(const std::vector<FindingPlace>& places, const svg::Box& panel) {
   const Rings rings = rings_of(places);
   const double radius = ring_radius(rings.size());
   std::string svg = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\">\n",
@@ -128,10 +127,10 @@ std::string labelled_rings(const std::vector<FindingPlace>& places, const Box& p
                    {ring.first.x + radius, ring.first.y + radius}});
   for (const auto& [key, ring] : rings) {
     const std::string text = label_text(ring.second);
-    const std::vector<Box> boxes =
+    const std::vector<svg::Box> boxes =
         label_boxes(ring.first, radius, static_cast<double>(text.size()) * kDigitWidth);
     const auto box = std::find_if(boxes.begin(), boxes.end(),
-                                  [&](const Box& candidate) { return space.take(candidate); });
+                                  [&](const svg::Box& candidate) { return space.take(candidate); });
     if (box != boxes.end())
       append_label(svg, *box, text);
     else if (places.size() <= kAllNumbered)

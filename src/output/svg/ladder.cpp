@@ -19,9 +19,9 @@ using Out = std::back_insert_iterator<std::string>;
 
 // All in pixels.
 constexpr double kWidth = 900, kLeft = 90, kRight = 30, kTop = 70, kBottom = 60;
-constexpr double kPlotHeight = 150, kGap = 24;
+constexpr double kPlotHeight = 150, kPlotGap = 24;
 constexpr double kAxisWidth = kWidth - kLeft - kRight;
-constexpr double kHeight = kTop + 3 * kPlotHeight + 2 * kGap + kBottom;
+constexpr double kHeight = kTop + 3 * kPlotHeight + 2 * kPlotGap + kBottom;
 constexpr const char* kGrid = "#d8dee4";
 constexpr const char* kRightBand = "#dff1e3";
 // Least width of the axis, in decades, and the room before the first and behind the last step.
@@ -142,7 +142,7 @@ std::string to_svg(const ToleranceLadder& ladder, const std::optional<RightRadii
                 radii->empty() ? "no radius tried is right for float LAR"
                                : fmt::format("green: float LAR right, {:.4g} to {:.4g}",
                                              radii->least, radii->largest));
-  const auto top = [](int i) { return kTop + i * (kPlotHeight + kGap); };
+  const auto top = [](int i) { return kTop + i * (kPlotHeight + kPlotGap); };
   svg += plot(ladder, axis, "vertices", svg::kInk, top(0), ladder.vertices, &LadderStep::vertices);
   svg += plot(ladder, axis, "edges", "#4f9bcb", top(1), ladder.edges, &LadderStep::edges);
   svg += plot(ladder, axis, "faces", svg::kMark, top(2), ladder.faces, &LadderStep::faces);

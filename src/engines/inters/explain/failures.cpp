@@ -27,7 +27,7 @@ const char* key(Result result) {
   return "";
 }
 
-void set(Cause& cause, const char* rule, const char* explanation, const char* advice) {
+void set_cause(Cause& cause, const char* rule, const char* explanation, const char* advice) {
   cause.rule = rule;
   cause.explanation = explanation;
   cause.advice = advice;
@@ -47,8 +47,8 @@ Explained no_cycle() {
   Explained result = about_complex(Disagreement::Missing,
                                    "the published pipeline has no result: there is no cycle",
                                    Stage::ComponentFilter);
-  set(result.cause, "no-cycle", "where there is no cycle, nothing is returned",
-      "return the vertices and edges, and the unbounded face");
+  set_cause(result.cause, "no-cycle", "where there is no cycle, nothing is returned",
+            "return the vertices and edges, and the unbounded face");
   return result;
 }
 
@@ -74,15 +74,15 @@ Explained ExplainedRun::failure(const Failure& failure) const {
   }
   if (failure.error == "Limit") {
     Explained result = missing(Stage::Nesting);
-    set(result.cause, "limit", "every cycle would be compared with every other one",
-        "arrange exactly");
+    set_cause(result.cause, "limit", "every cycle would be compared with every other one",
+              "arrange exactly");
     return result;
   }
   if (failure.stage == "latticeArray") {
     Explained result = missing(Stage::Nesting);
-    set(result.cause, "simple-cycles-only",
-        "the lattice of containment can walk components only that are simple cycles",
-        "classify the outer boundaries of the components");
+    set_cause(result.cause, "simple-cycles-only",
+              "the lattice of containment can walk components only that are simple cycles",
+              "classify the outer boundaries of the components");
     return result;
   }
   if (trace_.components.empty()) return no_cycle();
@@ -106,8 +106,8 @@ std::vector<Explained> ExplainedRun::failures() const {
   const auto add = [&](Disagreement disagreement, const char* message, const char* rule,
                        const char* explanation) {
     Explained walk = about_complex(disagreement, message, Stage::FaceWalk);
-    set(walk.cause, rule, explanation,
-        "cut and merge until nothing changes, as the repaired pipeline does");
+    set_cause(walk.cause, rule, explanation,
+              "cut and merge until nothing changes, as the repaired pipeline does");
     result.push_back(std::move(walk));
   };
   if (walk_.aborted)

@@ -22,7 +22,7 @@ struct Item {
   }
 };
 
-float distance(const PointD& p, const PointD& q) {
+float float_distance(const PointD& p, const PointD& q) {
   const auto dx = static_cast<float>(p.x - q.x), dy = static_cast<float>(p.y - q.y);
   const float x = dx * dx, y = dy * dy;
   return std::sqrt(x + y);
@@ -31,10 +31,10 @@ float distance(const PointD& p, const PointD& q) {
 /// The nearest pair of vertices of two cycles; the given one unless another is nearer.
 VertexPair nearest_pair(std::span<const PointD> vertices, std::span<const VertexId> cycle,
                         std::span<const VertexId> next_cycle, VertexPair pair) {
-  float least = distance(vertices[pair[0]], vertices[pair[1]]);
+  float least = float_distance(vertices[pair[0]], vertices[pair[1]]);
   for (const VertexId i : cycle) {
     for (const VertexId j : next_cycle) {
-      const float d = distance(vertices[i], vertices[j]);
+      const float d = float_distance(vertices[i], vertices[j]);
       if (d >= least) continue;
       least = d;
       pair = {i, j};

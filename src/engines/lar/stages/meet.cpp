@@ -51,7 +51,7 @@ bool cut_at_ends(const SegmentD& s, const SegmentD& other, double radius, CutPai
 }
 
 /// The point of s at the parameter, from the nearer end. Never -0.
-PointD point_at(const SegmentD& s, double parameter) {
+PointD point_from_nearer_end(const SegmentD& s, double parameter) {
   const PointD direction = minus(s.b, s.a);
   if (parameter <= 0.5) {
     return {s.a.x + parameter * direction.x + 0.0, s.a.y + parameter * direction.y + 0.0};
@@ -111,7 +111,7 @@ Meeting meet(const SegmentD& first, const SegmentD& second, double radius) {
   const double alpha = cross(between, second_direction) / determinant;
   const double beta = cross(between, first_direction) / determinant;
   if (!(alpha > 0 && alpha < 1 && beta > 0 && beta < 1)) return meeting;
-  const PointD point = point_at(first, alpha);
+  const PointD point = point_from_nearer_end(first, alpha);
   meeting.on_first.push_back({alpha, point});
   meeting.on_second.push_back({beta, point});
   return meeting;
