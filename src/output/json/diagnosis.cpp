@@ -27,15 +27,14 @@ auto diagnosis_members(const Diagnosis& diagnosis, const SegmentSet& input) {
   const auto count = [&diagnosis](std::size_t kind) {
     return member(to_text(static_cast<DefectKind>(kind)), diagnosis.found[kind]);
   };
-  return members(
-      member("within", with_nearest(diagnosis.within)),
-      member("counts", object(each(std::views::iota(std::size_t{0}, kDefectKinds), count))),
-      member("loose_ends", diagnosis.tips), member("cut_short", diagnosis.cut_short),
-      member("squared_detail", given(diagnosis.squared_detail, with_nearest)),
-      member("tolerances", list(diagnosis.tolerances, tolerance)),
-      member("defects", list(diagnosis.defects.size(), [&](std::size_t i) {
-               return defect(input, diagnosis.defects[i], i + 1);
-             })));
+  return members(member("within", with_nearest(diagnosis.within)),
+                 member("counts", object(each(Numbers(0, kDefectKinds), count))),
+                 member("loose_ends", diagnosis.tips), member("cut_short", diagnosis.cut_short),
+                 member("squared_detail", given(diagnosis.squared_detail, with_nearest)),
+                 member("tolerances", list(diagnosis.tolerances, tolerance)),
+                 member("defects", list(diagnosis.defects.size(), [&](std::size_t i) {
+                          return defect(input, diagnosis.defects[i], i + 1);
+                        })));
 }
 
 }  // namespace

@@ -31,10 +31,9 @@ auto model_members(const LarModel& model) {
       member("V", list(model.vertex_count(),
                        [&model](std::size_t v) { return point(model.vertex(v)); })),
       when(!have_names, [&model] { return member("cells", list(model.cells, cell_list)); }),
-      each(std::views::iota(std::size_t{0}, have_names ? count : 0),
-           [&model, kNames, first](std::size_t k) {
-             return member(kNames.at(first + k), cell_list(model.cells[k]));
-           }));
+      each(Numbers(0, have_names ? count : 0), [&model, kNames, first](std::size_t k) {
+        return member(kNames.at(first + k), cell_list(model.cells[k]));
+      }));
 }
 
 /// The rows of the matrix, that below the map's own included.
@@ -110,7 +109,7 @@ std::string to_json(const Structure& structure) {
   const Items items{keys};
   return document(object(
       member("root", items.name(structure.root)), member("y_up", structure.y_up),
-      member("defs", object(each(std::views::iota(std::size_t{0}, keys.size()),
+      member("defs", object(each(Numbers(0, keys.size()),
                                  [&](std::size_t s) {
                                    return member(keys[s],
                                                  definition(structure.structs[s], keys[s], items));

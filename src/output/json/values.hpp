@@ -15,6 +15,37 @@
 /// text. Values are written as they are met; no tree is built of them.
 namespace plumbline::json {
 
+/// The numbers from the first on, up to and without the last. (clang 14 does not compile
+/// std::views::iota of this standard library.)
+class Numbers {
+ public:
+  class Iterator {
+   public:
+    using difference_type = std::ptrdiff_t;
+    using value_type = std::size_t;
+
+    Iterator() = default;
+    explicit Iterator(std::size_t number) : number_(number) {}
+    std::size_t operator*() const { return number_; }
+    Iterator& operator++() {
+      ++number_;
+      return *this;
+    }
+    Iterator operator++(int) { return Iterator(number_++); }
+    friend bool operator==(const Iterator&, const Iterator&) = default;
+
+   private:
+    std::size_t number_ = 0;
+  };
+
+  Numbers(std::size_t first, std::size_t last) : first_(first), last_(last) {}
+  Iterator begin() const { return Iterator(first_); }
+  Iterator end() const { return Iterator(last_); }
+
+ private:
+  std::size_t first_, last_;
+};
+
 /// How a value keeps what it is made of: small things and temporaries itself; anything else stays
 /// where it is and must outlive the value.
 template <class T, class U = std::decay_t<T>>
@@ -89,7 +120,7 @@ List<Kept<Range>, F> list(Range&& range, F f) {
 }
 template <class F>
 auto list(std::size_t count, F f) {
-  return list(std::views::iota(std::size_t{0}, count), std::move(f));
+  return list(Numbers(0, count), std::move(f));
 }
 
 /// f(*known), or null where nothing is known: no value of an optional, a null pointer.

@@ -48,7 +48,7 @@ auto faces(const FloatComplex& c) {
     cycles.insert(cycles.end(), c.face_holes[f].begin(), c.face_holes[f].end());
     return list(std::move(cycles), vertices);
   };
-  const auto bounded = std::views::iota(std::size_t{1}, c.face_count());
+  const auto bounded = Numbers(1, c.face_count());
   return object(member("V", c.vertices), member("FV", list(bounded, outer)),
                 member("EV", list(c.edges, ends)), member("polygons", list(bounded, polygon)));
 }
