@@ -69,7 +69,7 @@ if(CLANG)
   add_test(NAME "determinism: another compiler's tool, unoptimised, writes the same bytes"
            COMMAND ${scripts}/determinism --short $<TARGET_FILE:plumbline_cli>)
   set_tests_properties("determinism: another compiler's tool, unoptimised, writes the same bytes"
-                       PROPERTIES TIMEOUT 1200 COST 1000)
+                       PROPERTIES TIMEOUT 3000 COST 1000)
 endif()
 
 # The longest start first.
