@@ -41,7 +41,7 @@ class Writer : private rapidjson::PrettyWriter<rapidjson::StringBuffer> {
   template <class... T>
   void value(const std::tuple<T...>& x) {
     StartArray();
-    std::apply([this](const auto&... item) { (value(item), ...); }, x);
+    std::apply([this](const auto&... item) { (this->value(item), ...); }, x);
     EndArray();
   }
   template <class Tag>
@@ -54,7 +54,7 @@ class Writer : private rapidjson::PrettyWriter<rapidjson::StringBuffer> {
   }
   template <class... T>
   void value(const std::variant<T...>& x) {
-    std::visit([this](const auto& held) { value(held); }, x);
+    std::visit([this](const auto& held) { this->value(held); }, x);
   }
   template <class T>
   void value(const Lists<T>& lists) {
@@ -102,7 +102,7 @@ class Writer : private rapidjson::PrettyWriter<rapidjson::StringBuffer> {
   }
   template <class... Parts>
   void all(const std::tuple<Parts...>& parts) {
-    std::apply([this](const auto&... x) { (part(x), ...); }, parts);
+    std::apply([this](const auto&... x) { (this->part(x), ...); }, parts);
   }
 
   rapidjson::StringBuffer buffer_;
