@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "output/svg/labels.hpp"
 #include "output/svg/panel.hpp"
@@ -13,8 +12,6 @@
 
 namespace plumbline {
 namespace {
-
-using Out = std::back_insert_iterator<std::string>;
 
 namespace sheet = svg::sheet;
 
@@ -93,18 +90,18 @@ std::string legend(const Layout& where, const Check& check) {
   std::string svg = svg::text({x, y + 5}, 14, "", "depth");
   x += 52;
   for (std::size_t depth = 1; depth <= std::min(deepest, svg::kDepthColours.size()); ++depth) {
-    fmt::format_to(Out(svg),
-                   "<rect x=\"{}\" y=\"{}\" width=\"18\" height=\"14\" fill=\"{}\" stroke=\"{}\" "
-                   "stroke-width=\"0.5\"/>\n",
-                   x, y - 7, svg::kDepthColours[depth - 1], svg::kInk);
+    svg += fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"18\" height=\"14\" fill=\"{}\" stroke=\"{}\" "
+        "stroke-width=\"0.5\"/>\n",
+        x, y - 7, svg::kDepthColours[depth - 1], svg::kInk);
     const bool is_last_colour = depth == svg::kDepthColours.size() && depth < deepest;
     svg += svg::text({x + 24, y + 5}, 14, "", std::to_string(depth) + (is_last_colour ? "+" : ""));
     x += 52;
   }
-  fmt::format_to(Out(svg),
-                 "<path d=\"M{} {}h36\" stroke=\"{}\" stroke-width=\"1.5\" "
-                 "stroke-dasharray=\"4\"/>\n",
-                 x + 12, y, svg::kInk);
+  svg += fmt::format(
+      "<path d=\"M{} {}h36\" stroke=\"{}\" stroke-width=\"1.5\" "
+      "stroke-dasharray=\"4\"/>\n",
+      x + 12, y, svg::kInk);
   svg += svg::text({x + 56, y + 5}, 14, "", "antenna");
   svg += svg::circle({x + 142, y}, 8,
                      fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", svg::kMark));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "output/svg/labels.hpp"
 #include "output/svg/panel.hpp"
@@ -12,8 +11,6 @@
 
 namespace plumbline {
 namespace {
-
-using Out = std::back_insert_iterator<std::string>;
 
 namespace sheet = svg::sheet;
 
@@ -113,11 +110,10 @@ std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
   const double row_height = base.panel.height() + kTitle + sheet::kMargin;
   std::string svg =
       sheet::open(sheet::kWidth, kDiagnosisHeader + static_cast<double>(rows) * row_height);
-  fmt::format_to(Out(svg),
-                 "<defs><g id=\"drawing\">\n<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\" "
-                 "stroke=\"#c9d1d9\"/>\n{}</g></defs>\n",
-                 base.panel.width(), base.panel.height(),
-                 svg::panel(base.complex, base.frame, base.pen));
+  svg += fmt::format(
+      "<defs><g id=\"drawing\">\n<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\" "
+      "stroke=\"#c9d1d9\"/>\n{}</g></defs>\n",
+      base.panel.width(), base.panel.height(), svg::panel(base.complex, base.frame, base.pen));
   svg += header(diagnosis, input);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const std::size_t row = i / kColumns, column = i % kColumns;
@@ -127,8 +123,8 @@ std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
                kDiagnosisHeader + kTitle + static_cast<double>(row) * row_height});
   }
   if (kinds.empty())
-    fmt::format_to(Out(svg), "<use href=\"#drawing\" x=\"{}\" y=\"{}\"/>\n", sheet::kMargin,
-                   kDiagnosisHeader + kTitle);
+    svg += fmt::format("<use href=\"#drawing\" x=\"{}\" y=\"{}\"/>\n", sheet::kMargin,
+                       kDiagnosisHeader + kTitle);
   return svg + "</svg>\n";
 }
 

@@ -6,14 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <set>
 
 namespace plumbline {
 namespace {
-
-using Out = std::back_insert_iterator<std::string>;
 
 constexpr double kLargestRing = 8, kSmallestRing = 3;
 constexpr double kFontSize = 13;
@@ -103,8 +100,8 @@ std::vector<svg::Box> label_boxes(const PointD& ring, double radius, double widt
 }
 
 void append_label(std::string& svg, const svg::Box& box, const std::string& text) {
-  fmt::format_to(Out(svg), "<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", box.low.x,
-                 box.high.y - kBaseline, text);
+  svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", box.low.x,
+                     box.high.y - kBaseline, text);
 }
 
 }  // namespace
@@ -115,12 +112,12 @@ std::string labelled_rings(const std::vector<FindingPlace>& places, const svg::B
   std::string svg = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\">\n",
                                 svg::kMark, radius / 5);
   for (const auto& [key, ring] : rings)
-    fmt::format_to(Out(svg), "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>\n", ring.first.x,
-                   ring.first.y, radius);
-  fmt::format_to(Out(svg),
-                 "</g>\n<g fill=\"{}\" font-size=\"{}\" font-weight=\"bold\" stroke=\"#ffffff\" "
-                 "stroke-width=\"3\" paint-order=\"stroke\">\n",
-                 svg::kMark, kFontSize);
+    svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>\n", ring.first.x,
+                       ring.first.y, radius);
+  svg += fmt::format(
+      "</g>\n<g fill=\"{}\" font-size=\"{}\" font-weight=\"bold\" stroke=\"#ffffff\" "
+      "stroke-width=\"3\" paint-order=\"stroke\">\n",
+      svg::kMark, kFontSize);
   Space space(panel);
   for (const auto& [key, ring] : rings)
     space.reserve({{ring.first.x - radius, ring.first.y - radius},

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "output/svg/sheet.hpp"
@@ -14,8 +13,6 @@
 
 namespace plumbline {
 namespace {
-
-using Out = std::back_insert_iterator<std::string>;
 
 // All in pixels.
 constexpr double kWidth = 900, kLeft = 90, kRight = 30, kTop = 70, kBottom = 60;
@@ -106,12 +103,12 @@ std::string plot(const ToleranceLadder& ladder, const Axis& axis, const char* na
     svg += text(kLeft - 8, y(tick) + 4, "end", 12, fmt::format("{:.0f}", tick));
   }
   svg += text(kLeft + 6, top - 6, "start", 14, name);
-  fmt::format_to(Out(svg), "<path d=\"M{:.1f} {:.1f}", kLeft, y(static_cast<double>(before)));
+  svg += fmt::format("<path d=\"M{:.1f} {:.1f}", kLeft, y(static_cast<double>(before)));
   for (const LadderStep& step : ladder.steps)
-    fmt::format_to(Out(svg), "H{:.1f}V{:.1f}", axis(logarithm(step)),
-                   y(static_cast<double>(step.*member)));
-  fmt::format_to(Out(svg), "H{:.1f}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n",
-                 ladder.is_complete ? kWidth - kRight : axis(axis.high), colour);
+    svg +=
+        fmt::format("H{:.1f}V{:.1f}", axis(logarithm(step)), y(static_cast<double>(step.*member)));
+  svg += fmt::format("H{:.1f}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n",
+                     ladder.is_complete ? kWidth - kRight : axis(axis.high), colour);
   return svg;
 }
 

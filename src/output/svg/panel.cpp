@@ -5,14 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace plumbline::svg {
 namespace {
 
 constexpr double kMarkPens = 2.5, kDashPens = 4, kDotPens = 2;
-
-using Out = std::back_insert_iterator<std::string>;
 
 std::string cycle_path(const FloatComplex& complex, CycleId cycle, const Frame& frame) {
   std::vector<PointD> points;
@@ -34,17 +31,17 @@ void append_faces(std::string& svg, const FloatComplex& complex, const Frame& fr
   svg += "<g stroke=\"none\" fill-rule=\"evenodd\">\n";
   for (std::size_t f = 1; f < complex.face_count(); ++f) {
     const std::size_t depth = std::max<std::size_t>(complex.face_depth[f], 1);
-    fmt::format_to(Out(svg), "<path fill=\"{}\" d=\"{}\"/>\n",
-                   kDepthColours[std::min(depth, kDepthColours.size()) - 1],
-                   face_path(complex, FaceId(f), frame));
+    svg += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n",
+                       kDepthColours[std::min(depth, kDepthColours.size()) - 1],
+                       face_path(complex, FaceId(f), frame));
   }
   svg += "</g>\n";
 }
 
 void append_line(std::string& path, const FloatComplex& complex, EdgeId e, const Frame& frame) {
   const Edge& edge = complex.edges[e];
-  fmt::format_to(Out(path), "M{}L{}", coordinates(frame(complex.vertices[edge.tail])),
-                 coordinates(frame(complex.vertices[edge.head])));
+  path += fmt::format("M{}L{}", coordinates(frame(complex.vertices[edge.tail])),
+                      coordinates(frame(complex.vertices[edge.head])));
 }
 
 void append_edges(std::string& svg, const FloatComplex& complex, const Frame& frame, double pen) {
@@ -54,10 +51,10 @@ void append_edges(std::string& svg, const FloatComplex& complex, const Frame& fr
   const std::string style =
       fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"", kInk,
                   shortest_text(pen));
-  if (!solid.empty()) fmt::format_to(Out(svg), "<path {} d=\"{}\"/>\n", style, solid);
+  if (!solid.empty()) svg += fmt::format("<path {} d=\"{}\"/>\n", style, solid);
   if (!dashed.empty())
-    fmt::format_to(Out(svg), "<path {} stroke-dasharray=\"{}\" d=\"{}\"/>\n", style,
-                   shortest_text(kDashPens * pen), dashed);
+    svg += fmt::format("<path {} stroke-dasharray=\"{}\" d=\"{}\"/>\n", style,
+                       shortest_text(kDashPens * pen), dashed);
 }
 
 std::string dot(const PointD& p, double pen, const char* colour) {
@@ -68,9 +65,8 @@ void append_marked_faces(std::string& svg, const FloatComplex& complex, const Fr
                          const Marks& marks) {
   for (const FaceId f : marks.faces) {
     if (f == kUnbounded) continue;
-    fmt::format_to(Out(svg), "<path fill=\"{}\" fill-opacity=\"0.28\" fill-rule=\"evenodd\" ",
-                   kMark);
-    fmt::format_to(Out(svg), "d=\"{}\"/>\n", face_path(complex, f, frame));
+    svg += fmt::format("<path fill=\"{}\" fill-opacity=\"0.28\" fill-rule=\"evenodd\" ", kMark);
+    svg += fmt::format("d=\"{}\"/>\n", face_path(complex, f, frame));
   }
 }
 
@@ -79,9 +75,9 @@ void append_marked_edges(std::string& svg, const FloatComplex& complex, const Fr
   std::string path;
   for (const EdgeId e : marks.edges) append_line(path, complex, e, frame);
   if (path.empty()) return;
-  fmt::format_to(Out(svg), "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" ", kMark,
-                 shortest_text(kMarkPens * pen));
-  fmt::format_to(Out(svg), "stroke-linecap=\"round\" d=\"{}\"/>\n", path);
+  svg += fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" ", kMark,
+                     shortest_text(kMarkPens * pen));
+  svg += fmt::format("stroke-linecap=\"round\" d=\"{}\"/>\n", path);
 }
 
 }  // namespace

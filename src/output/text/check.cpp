@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -21,24 +20,22 @@ constexpr std::size_t kShownBounds = 4;
 constexpr std::size_t kShownKinds = 4;
 constexpr std::size_t kShownSteps = 5;
 
-using Out = std::back_insert_iterator<std::string>;
-
 void append_cell_counts(std::string& text, const Check& check) {
   const Comparison& c = check.comparison;
-  fmt::format_to(Out(text), "\n{:<18}{:>13}{:>14}{:>12}\n", "", "as authored", "over doubles",
-                 check.answer.short_title);
+  text += fmt::format("\n{:<18}{:>13}{:>14}{:>12}\n", "", "as authored", "over doubles",
+                      check.answer.short_title);
   for (const CountRow& row : count_rows()) {
     std::string name = row.name;
     std::replace(name.begin(), name.end(), '_', ' ');
     const bool is_of_graph = name == "vertices" || name == "edges" || name == "components";
     const bool is_known = c.compared == Compared::All || is_of_graph;
-    fmt::format_to(Out(text), "{:<18}{:>13}{:>14}{:>12}\n", name, c.exact_counts.*row.member,
-                   check.conversion.float_counts.*row.member,
-                   is_known ? std::to_string(c.float_counts.*row.member) : "-");
+    text += fmt::format("{:<18}{:>13}{:>14}{:>12}\n", name, c.exact_counts.*row.member,
+                        check.conversion.float_counts.*row.member,
+                        is_known ? std::to_string(c.float_counts.*row.member) : "-");
   }
-  fmt::format_to(Out(text), "(faces with the unbounded one, holes of bounded faces)\n");
-  fmt::format_to(Out(text), "matched one to one: {} vertices, {} edges, {} faces\n",
-                 c.matched_vertices, c.matched_edges, c.matched_faces);
+  text += "(faces with the unbounded one, holes of bounded faces)\n";
+  text += fmt::format("matched one to one: {} vertices, {} edges, {} faces\n", c.matched_vertices,
+                      c.matched_edges, c.matched_faces);
 }
 
 std::string plural(CellKind kind) {
@@ -56,8 +53,9 @@ std::string kinds(const std::vector<const Finding*>& findings) {
   std::string text;
   for (std::size_t i = 0; i < std::min(sorted.size(), kShownKinds); ++i) {
     const auto& [kind, count] = sorted[i];
-    fmt::format_to(Out(text), "{}{} {} {}", i == 0 ? "" : ", ", count,
-                   count == 1 ? to_text(kind.first) : plural(kind.first), to_text(kind.second));
+    text +=
+        fmt::format("{}{} {} {}", i == 0 ? "" : ", ", count,
+                    count == 1 ? to_text(kind.first) : plural(kind.first), to_text(kind.second));
   }
   return sorted.size() > kShownKinds ? text + ", ..." : text;
 }
@@ -67,7 +65,7 @@ void append_conversion(std::string& text, const Comparison& conversion) {
   if (conversion.agree()) return;
   std::vector<const Finding*> findings;
   for (const Finding& finding : conversion.findings) findings.push_back(&finding);
-  fmt::format_to(Out(text), "rounding the input to doubles alone changes: {}\n", kinds(findings));
+  text += fmt::format("rounding the input to doubles alone changes: {}\n", kinds(findings));
 }
 
 /// Where the stage stands: what happens before the engine, its stages, the engine as a whole.
@@ -97,26 +95,26 @@ void append_causes(std::string& text, const Check& check) {
   text += "\nwhere they come from\n";
   for (const auto& [place, row] : rows) {
     const auto& [order, round, rule] = place;
-    fmt::format_to(Out(text), "  {}{}, {}: {} ({}{})\n", row.stage,
-                   round == 0 ? "" : fmt::format(" in round {}", round), rule, row.findings.size(),
-                   kinds(row.findings),
-                   row.confirmed == row.findings.size()
-                       ? ""
-                       : fmt::format("; {} of them confirmed", row.confirmed));
+    text += fmt::format("  {}{}, {}: {} ({}{})\n", row.stage,
+                        round == 0 ? "" : fmt::format(" in round {}", round), rule,
+                        row.findings.size(), kinds(row.findings),
+                        row.confirmed == row.findings.size()
+                            ? ""
+                            : fmt::format("; {} of them confirmed", row.confirmed));
   }
 }
 
 void append_input(std::string& text, const SegmentSet& input) {
-  fmt::format_to(Out(text), "input: {} segments, {} points; {} rejected\n", input.segments.size(),
-                 input.points.size(), input.rejected.size());
+  text += fmt::format("input: {} segments, {} points; {} rejected\n", input.segments.size(),
+                      input.points.size(), input.rejected.size());
   const std::size_t shown = std::min(input.rejected.size(), kShownRejected);
   for (std::size_t i = 0; i < shown; ++i) {
     const Rejected& item = input.rejected[i];
-    fmt::format_to(Out(text), "  rejected {}: {}\n", line_text(to_text(item.source, input.files)),
-                   line_text(item.reason));
+    text += fmt::format("  rejected {}: {}\n", line_text(to_text(item.source, input.files)),
+                        line_text(item.reason));
   }
   if (shown < input.rejected.size())
-    fmt::format_to(Out(text), "  ... and {} more\n", input.rejected.size() - shown);
+    text += fmt::format("  ... and {} more\n", input.rejected.size() - shown);
 }
 
 /// "3 numbers were replaced: by at most 1e-15 rad (2), 0.001 (1)".
@@ -134,29 +132,28 @@ void append_ledger(std::string& text, const std::vector<Replacement>& ledger) {
     else
       bounds.emplace_back(item.bound, 1);
   }
-  fmt::format_to(Out(text), "exactness: {} number{} replaced, by at most", ledger.size(),
-                 ledger.size() == 1 ? " was" : "s were");
+  text += fmt::format("exactness: {} number{} replaced, by at most", ledger.size(),
+                      ledger.size() == 1 ? " was" : "s were");
   const std::size_t shown = std::min(bounds.size(), kShownBounds);
   for (std::size_t i = 0; i < shown; ++i)
-    fmt::format_to(Out(text), "{} {} ({})", i == 0 ? "" : ",", line_text(bounds[i].first),
-                   bounds[i].second);
-  if (shown < bounds.size()) fmt::format_to(Out(text), " and {} more", bounds.size() - shown);
+    text +=
+        fmt::format("{} {} ({})", i == 0 ? "" : ",", line_text(bounds[i].first), bounds[i].second);
+  if (shown < bounds.size()) text += fmt::format(" and {} more", bounds.size() - shown);
   text += '\n';
 }
 
 void append_finding(std::string& text, const Check& check, std::size_t i) {
   const Finding& finding = check.comparison.findings[i];
-  fmt::format_to(Out(text), "{:>4}. {} {}", i + 1, to_text(finding.kind),
-                 to_text(finding.disagreement));
+  text += fmt::format("{:>4}. {} {}", i + 1, to_text(finding.kind), to_text(finding.disagreement));
   if (finding.kind != CellKind::Complex) {
     const PointD place = nearest(finding.where);
-    fmt::format_to(Out(text), " at ({}, {})", short_number(place.x), short_number(place.y));
+    text += fmt::format(" at ({}, {})", short_number(place.x), short_number(place.y));
   }
-  fmt::format_to(Out(text), ": {}\n", line_text(finding.message));
+  text += fmt::format(": {}\n", line_text(finding.message));
   if (i < check.causes.size()) {
     const Cause& cause = check.causes[i];
-    fmt::format_to(Out(text), "      {}: {}", cause.stage, line_text(cause.explanation));
-    if (!cause.advice.empty()) fmt::format_to(Out(text), "; {}", line_text(cause.advice));
+    text += fmt::format("      {}: {}", cause.stage, line_text(cause.explanation));
+    if (!cause.advice.empty()) text += fmt::format("; {}", line_text(cause.advice));
     text += '\n';
   }
   text += input_lines(check.input, finding.segments, "      ");
@@ -168,10 +165,9 @@ std::string to_text(const Check& check, std::size_t limit) {
   const Comparison& c = check.comparison;
   std::string text = verdict(c) + '\n';
   append_cell_counts(text, check);
-  if (check.answer.radius)
-    fmt::format_to(Out(text), "radius {}, ", short_number(*check.answer.radius));
-  fmt::format_to(Out(text), "tolerance {}, largest displacement {}\n", short_number(c.tolerance),
-                 short_number(c.largest_displacement));
+  if (check.answer.radius) text += fmt::format("radius {}, ", short_number(*check.answer.radius));
+  text += fmt::format("tolerance {}, largest displacement {}\n", short_number(c.tolerance),
+                      short_number(c.largest_displacement));
   if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
   append_input(text, check.input);
   append_ledger(text, check.input.ledger);
@@ -182,7 +178,7 @@ std::string to_text(const Check& check, std::size_t limit) {
   const std::size_t shown = std::min(c.findings.size(), limit);
   for (std::size_t i = 0; i < shown; ++i) append_finding(text, check, i);
   if (shown < c.findings.size())
-    fmt::format_to(Out(text), "... and {} more (see -o report.json)\n", c.findings.size() - shown);
+    text += fmt::format("... and {} more (see -o report.json)\n", c.findings.size() - shown);
   return text + advice_text(check, kShownSteps);
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "output/text/terminal.hpp"
 #include "output/text/verdict.hpp"
@@ -13,19 +12,17 @@
 namespace plumbline {
 namespace {
 
-using Out = std::back_insert_iterator<std::string>;
-
 void append_defect_counts(std::string& text, const Diagnosis& diagnosis) {
   for (std::size_t kind = 0; kind < kDefectKinds; ++kind)
-    fmt::format_to(Out(text), "  {:<16}{:>8}\n", to_text(static_cast<DefectKind>(kind)),
-                   diagnosis.found[kind]);
+    text += fmt::format("  {:<16}{:>8}\n", to_text(static_cast<DefectKind>(kind)),
+                        diagnosis.found[kind]);
 }
 
 void append_defect(std::string& text, const SegmentSet& input, const Defect& defect,
                    std::size_t defect_number) {
   const PointD place = nearest(defect.where);
-  fmt::format_to(Out(text), "{:>6}. at ({}, {}): {}\n", defect_number, short_number(place.x),
-                 short_number(place.y), line_text(defect.message));
+  text += fmt::format("{:>6}. at ({}, {}): {}\n", defect_number, short_number(place.x),
+                      short_number(place.y), line_text(defect.message));
   text += input_lines(input, defect.segments, "        ");
 }
 
@@ -35,27 +32,27 @@ void append_defects(std::string& text, const SegmentSet& input, const Diagnosis&
   for (std::size_t i = 0; i < all.size();) {
     const DefectKind kind = all[i].kind;
     const std::size_t found = diagnosis.count(kind);
-    fmt::format_to(Out(text), "\n{}: {}\n", to_text(kind), found);
+    text += fmt::format("\n{}: {}\n", to_text(kind), found);
     std::size_t shown = 0;
     for (; i < all.size() && all[i].kind == kind; ++i)
       if (shown < limit) {
         append_defect(text, input, all[i], i + 1);
         ++shown;
       }
-    if (shown < found) fmt::format_to(Out(text), "      ... and {} more\n", found - shown);
+    if (shown < found) text += fmt::format("      ... and {} more\n", found - shown);
   }
 }
 
 void append_tolerances(std::string& text, const Diagnosis& diagnosis) {
   if (diagnosis.tolerances.empty()) return;
-  fmt::format_to(Out(text), "\na tolerance of  mends of {} defects that one can mend\n",
-                 diagnosis.tolerances.back().mended);
+  text += fmt::format("\na tolerance of  mends of {} defects that one can mend\n",
+                      diagnosis.tolerances.back().mended);
   for (const ToleranceEffect& effect : diagnosis.tolerances)
-    fmt::format_to(Out(text), "  {:<12}{:>8}{}\n", short_number(effect.tolerance), effect.mended,
-                   effect.spares_detail ? "" : "  and destroys edges that are no defects");
+    text += fmt::format("  {:<12}{:>8}{}\n", short_number(effect.tolerance), effect.mended,
+                        effect.spares_detail ? "" : "  and destroys edges that are no defects");
   if (diagnosis.squared_detail)
-    fmt::format_to(Out(text), "the shortest edge that is part of no defect is {} long\n",
-                   short_number(nearest_sqrt(*diagnosis.squared_detail)));
+    text += fmt::format("the shortest edge that is part of no defect is {} long\n",
+                        short_number(nearest_sqrt(*diagnosis.squared_detail)));
 }
 
 }  // namespace
@@ -67,10 +64,10 @@ std::string to_text(const Diagnosis& diagnosis, const SegmentSet& input, std::si
                                  short_number(nearest_double(diagnosis.within)), diagnosis.tips);
   append_defect_counts(text, diagnosis);
   if (diagnosis.cut_short > 0)
-    fmt::format_to(Out(text),
-                   "the distance is too large for this drawing: around {} vertices so much is near "
-                   "that defects can be missing\n",
-                   diagnosis.cut_short);
+    text += fmt::format(
+        "the distance is too large for this drawing: around {} vertices so much is near "
+        "that defects can be missing\n",
+        diagnosis.cut_short);
   append_defects(text, input, diagnosis, limit);
   append_tolerances(text, diagnosis);
   return text;

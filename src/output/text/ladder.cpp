@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "output/text/ladder.hpp"
 #include "output/text/terminal.hpp"
@@ -15,8 +14,6 @@ namespace {
 
 // Longer exact texts say less than the rounded number beside them.
 constexpr std::size_t kMostExactDigits = 24;
-
-using Out = std::back_insert_iterator<std::string>;
 
 std::string at(const ExactComplex& complex, VertexId v) {
   const PointD p = nearest(complex.vertices[v]);
@@ -34,27 +31,27 @@ std::string pair_text(const ExactComplex& complex, const LadderStep& step) {
 
 void append_row(std::string& text, const std::string& radius, std::size_t vertices,
                 std::size_t edges, std::size_t faces, const std::string& near) {
-  fmt::format_to(Out(text), "  {:>12}{:>10}{:>10}{:>10}{}{}\n", radius, vertices, edges, faces,
-                 near.empty() ? "" : "  ", near);
+  text += fmt::format("  {:>12}{:>10}{:>10}{:>10}{}{}\n", radius, vertices, edges, faces,
+                      near.empty() ? "" : "  ", near);
 }
 
 void append_right_radii(std::string& text, const RightRadii& radii) {
   if (radii.empty()) {
-    fmt::format_to(Out(text), "  no radius is right for float LAR, of {} tried from {} to {}\n",
-                   radii.tried.size(), short_number(radii.tried.front().radius),
-                   short_number(radii.tried.back().radius));
+    text += fmt::format("  no radius is right for float LAR, of {} tried from {} to {}\n",
+                        radii.tried.size(), short_number(radii.tried.front().radius),
+                        short_number(radii.tried.back().radius));
     return;
   }
   const auto tried_right = std::count_if(
       radii.tried.begin(), radii.tried.end(),
       [&](const TriedRadius& t) { return t.radius >= radii.least && t.radius <= radii.largest; });
-  fmt::format_to(Out(text), "  float LAR is right with every radius tried from {} to {} ({} tried",
-                 short_number(radii.least), short_number(radii.largest), tried_right);
+  text += fmt::format("  float LAR is right with every radius tried from {} to {} ({} tried",
+                      short_number(radii.least), short_number(radii.largest), tried_right);
   for (std::size_t i = 0; i < radii.tried.size(); ++i) {
     const TriedRadius& t = radii.tried[i];
     const bool below = t.radius < radii.least && radii.tried[i + 1].radius == radii.least;
     const bool above = t.radius > radii.largest && radii.tried[i - 1].radius == radii.largest;
-    if (below || above) fmt::format_to(Out(text), "; wrong with {}", short_number(t.radius));
+    if (below || above) text += fmt::format("; wrong with {}", short_number(t.radius));
   }
   text += ")\n";
 }
@@ -75,8 +72,8 @@ std::string distance_text(const Rational& squared) {
 
 std::string to_text(const ToleranceLadder& ladder, const ExactComplex& complex, std::size_t limit) {
   std::string text = "tolerance ladder: what is no further apart than the radius counts as one\n";
-  fmt::format_to(Out(text), "  {:>12}{:>10}{:>10}{:>10}  {}\n", "radius", "vertices", "edges",
-                 "faces", "what is that near");
+  text += fmt::format("  {:>12}{:>10}{:>10}{:>10}  {}\n", "radius", "vertices", "edges", "faces",
+                      "what is that near");
   append_row(text, "0", ladder.vertices, ladder.edges, ladder.faces, "");
   const std::size_t shown = std::min(ladder.steps.size(), limit);
   for (std::size_t i = 0; i < shown; ++i) {
@@ -85,7 +82,7 @@ std::string to_text(const ToleranceLadder& ladder, const ExactComplex& complex, 
                step.faces, pair_text(complex, step));
   }
   if (shown < ladder.steps.size())
-    fmt::format_to(Out(text), "  ... and {} more steps\n", ladder.steps.size() - shown);
+    text += fmt::format("  ... and {} more steps\n", ladder.steps.size() - shown);
   if (!ladder.is_complete && shown == ladder.steps.size())
     text += "  ... and more beyond the last radius looked at\n";
   return text;
@@ -96,14 +93,14 @@ std::string advice_text(const Check& check, std::size_t limit) {
   const ExactComplex& complex = check.exact_complex;
   std::string text = "\nadvice\n";
   if (const auto& size = check.feature_size) {
-    fmt::format_to(Out(text), "  nearest vertices {} apart: {} and {}\n",
-                   distance_text(size->squared_vertex_vertex), at(complex, size->v),
-                   at(complex, size->w));
+    text += fmt::format("  nearest vertices {} apart: {} and {}\n",
+                        distance_text(size->squared_vertex_vertex), at(complex, size->v),
+                        at(complex, size->w));
     if (size->edge.valid())
-      fmt::format_to(Out(text), "  nearest vertex and edge {} apart: {} and {} - {}\n",
-                     distance_text(size->squared_vertex_edge), at(complex, size->vertex),
-                     at(complex, complex.edges[size->edge].tail),
-                     at(complex, complex.edges[size->edge].head));
+      text += fmt::format("  nearest vertex and edge {} apart: {} and {} - {}\n",
+                          distance_text(size->squared_vertex_edge), at(complex, size->vertex),
+                          at(complex, complex.edges[size->edge].tail),
+                          at(complex, complex.edges[size->edge].head));
   }
   if (check.right_radii) append_right_radii(text, *check.right_radii);
   return text + to_text(*check.ladder, complex, limit);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "output/text/verdict.hpp"
 #include "plumbline/error.hpp"
@@ -25,11 +24,11 @@ std::string input_lines(const SegmentSet& input, const std::vector<SegmentId>& s
   const std::size_t shown = std::min(sources.size(), kShownInputs);
   std::string text;
   for (std::size_t i = 0; i < shown; ++i) {
-    fmt::format_to(std::back_inserter(text), "{}{}\n", indent,
-                   line_text(to_text(input.sources[sources[i]], input.files)));
+    text +=
+        fmt::format("{}{}\n", indent, line_text(to_text(input.sources[sources[i]], input.files)));
   }
   if (shown < sources.size()) {
-    fmt::format_to(std::back_inserter(text), "{}and {} more\n", indent, sources.size() - shown);
+    text += fmt::format("{}and {} more\n", indent, sources.size() - shown);
   }
   return text;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace plumbline::svg {
 namespace {
@@ -34,8 +33,8 @@ void Canvas::show(const Box& box) {
 }
 
 void Canvas::line(const PointD& a, const PointD& b, const std::string& attributes) {
-  fmt::format_to(std::back_inserter(elements_), "<path d=\"M{}L{}\"{}/>\n", coordinates(frame_(a)),
-                 coordinates(frame_(b)), attributes);
+  elements_ += fmt::format("<path d=\"M{}L{}\"{}/>\n", coordinates(frame_(a)),
+                           coordinates(frame_(b)), attributes);
 }
 
 void Canvas::paths(std::span<const std::vector<PointD>> paths, const std::string& attributes) {
@@ -44,8 +43,7 @@ void Canvas::paths(std::span<const std::vector<PointD>> paths, const std::string
     for (PointD& p : path) p = frame_(p);
     data += closed_path(path);
   }
-  fmt::format_to(std::back_inserter(elements_), "<path{} fill-rule=\"evenodd\" d=\"{}\"/>\n",
-                 attributes, data);
+  elements_ += fmt::format("<path{} fill-rule=\"evenodd\" d=\"{}\"/>\n", attributes, data);
 }
 
 void Canvas::circle(const PointD& center, double radius, const std::string& attributes) {
