@@ -61,7 +61,7 @@ std::string allocator() {
 std::string machine() {
   return fmt::format(
       "- {}, {} threads, {:.0f} GiB; load when started {}\n"
-      "- {}, -O3; CGAL {} (Epeck over GMP {}); GEOS {}; oneTBB {}\n"
+      "- {}, -O2; CGAL {} (Epeck over GMP {}); GEOS {}; oneTBB {}\n"
       "- allocator: {}\n",
       processor(), std::thread::hardware_concurrency(), memory_gib(),
       first_line("/proc/loadavg").substr(0, 4), compiler(), cgal_version(), gmp_version,
