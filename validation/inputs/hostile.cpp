@@ -15,9 +15,9 @@ using Cells = Hostile::Cells;
 constexpr Size kCopies = 1000;
 
 /// A SegmentSet from integers.
-class Builder {
+class IntegerBuilder {
  public:
-  Builder() : source_(set_.add_source({})) {}
+  IntegerBuilder() : source_(set_.add_source({})) {}
   void add(long ax, long ay, long bx, long by) { add({{ax, ay}, {bx, by}}); }
   void add(Segment s) { set_.add(std::move(s), source_); }
   void add_square(long x0, long y0, long x1, long y1) {
@@ -38,13 +38,13 @@ long signed_size(Size size) { return static_cast<long>(size); }
 SegmentSet repeated(const SegmentSet& input, Size copies) { return tiles(input, copies, 0, 0); }
 
 SegmentSet mapped(const SegmentSet& input, Point (*map)(const Point&)) {
-  Builder builder;
+  IntegerBuilder builder;
   for (const Segment& s : input.segments) builder.add({map(s.a), map(s.b)});
   return builder.take();
 }
 
 SegmentSet one_segment(Size copies) {
-  Builder builder;
+  IntegerBuilder builder;
   builder.add(0, 0, 1000, 777);
   return repeated(builder.take(), copies);
 }
@@ -53,7 +53,7 @@ SegmentSet copied_segments(Size distinct) { return repeated(random_segments(dist
 
 /// Square rooms in rows and columns, four walls each.
 SegmentSet rooms(Size rows) {
-  Builder builder;
+  IntegerBuilder builder;
   for (long x = 0; x < signed_size(rows); ++x) {
     for (long y = 0; y < signed_size(rows); ++y) builder.add_square(x, y, x + 1, y + 1);
   }
@@ -78,7 +78,7 @@ SegmentSet in_a_corner(Size n) {
 
 /// A fan of unit-sized bars on a lattice of pitch 4 and one segment above them, 4 n times as long.
 SegmentSet one_huge(Size n) {
-  Builder builder;
+  IntegerBuilder builder;
   const long side = 1 + static_cast<long>(std::sqrt(static_cast<double>(n)));
   for (long i = 0; i < signed_size(n); ++i) {
     const long x = 4 * (i % side), y = 4 * (i / side);
@@ -104,7 +104,7 @@ SegmentSet squeezed_and_rounded(Size n) {
 }
 
 SegmentSet nested_overlaps(Size n) {
-  Builder builder;
+  IntegerBuilder builder;
   for (long i = 0; i < signed_size(n); ++i) builder.add(i, 0, 2 * signed_size(n) - i, 0);
   return builder.take();
 }
@@ -112,26 +112,26 @@ SegmentSet nested_overlaps(Size n) {
 constexpr Size kOverlap = 10;
 
 SegmentSet successive_overlaps(Size n) {
-  Builder builder;
+  IntegerBuilder builder;
   for (long i = 0; i < signed_size(n); ++i) builder.add(i, i, i + kOverlap, i + kOverlap);
   return builder.take();
 }
 
 SegmentSet hatch(Size n) {
-  Builder builder;
+  IntegerBuilder builder;
   for (long i = 0; i < signed_size(n); ++i) builder.add(i, 0, i + signed_size(n), signed_size(n));
   return builder.take();
 }
 
 SegmentSet concentric_squares(Size n) {
-  Builder builder;
+  IntegerBuilder builder;
   for (long i = 1; i <= signed_size(n); ++i) builder.add_square(-i, -i, i, i);
   return builder.take();
 }
 
 /// A spine and teeth on it.
 SegmentSet comb(Size teeth) {
-  Builder builder;
+  IntegerBuilder builder;
   builder.add(0, 0, 2 * signed_size(teeth), 0);
   for (long i = 0; i < signed_size(teeth); ++i) builder.add(2 * i + 1, 0, 2 * i + 1, 7);
   return builder.take();

@@ -43,9 +43,9 @@ struct Lattice {
 };
 
 /// A SegmentSet from integers of a unit 1 / per_unit.
-class Builder {
+class LatticeBuilder {
  public:
-  explicit Builder(long per_unit) : per_unit_(per_unit), source_(set_.add_source({})) {}
+  explicit LatticeBuilder(long per_unit) : per_unit_(per_unit), source_(set_.add_source({})) {}
 
   /// Whether the segment has a length, and so was added.
   bool add(Lattice a, Lattice b) {
@@ -82,7 +82,7 @@ constexpr double kPi = std::numbers::pi;
 
 SegmentSet grid_turned_by(double angle, std::uint64_t m) {
   const double side = kPitch * static_cast<double>(m), c = side / 2;
-  Builder builder(kMilli);
+  LatticeBuilder builder(kMilli);
   const auto turned = [&](double x, double y) {
     return builder.rounded(c + (x - c) * std::cos(angle) - (y - c) * std::sin(angle),
                            c + (x - c) * std::sin(angle) + (y - c) * std::cos(angle));
@@ -126,7 +126,7 @@ std::uint64_t size_of(const std::string& name) {
 
 SegmentSet random_segments(std::uint64_t n) {
   Random random(1000 + n);
-  Builder builder(kMicro);
+  LatticeBuilder builder(kMicro);
   const double length = std::sqrt(kPi / static_cast<double>(n));
   while (builder.size() < n) {
     const double x = length / 2 + (1 - length) * random.real();
@@ -142,7 +142,7 @@ SegmentSet random_lines(std::uint64_t n) {
   // 0.521405 is the mean distance of two random points of the unit square.
   const double scale = n == 5000 ? 0.1 : std::sqrt(8 * kPi / static_cast<double>(n)) / 0.521405;
   Random random(5000 + n);
-  Builder builder(kMicro);
+  LatticeBuilder builder(kMicro);
   while (builder.size() < n) {
     const double px = random.real(), py = random.real();
     const double qx = random.real(), qy = random.real();
@@ -180,7 +180,7 @@ SegmentSet lattice_segments(std::uint64_t n) {
     const Lattice step = lattice_direction(percent, random, steps);
     all.push_back({start, {start.x + steps * step.x, start.y + steps * step.y}});
   }
-  Builder builder(1);
+  LatticeBuilder builder(1);
   for (const auto& [a, b] : all) builder.add(a, b);
   return builder.take();
 }
@@ -191,7 +191,7 @@ SegmentSet stars(std::uint64_t n) {
   const std::uint64_t count = n / kLines;
   const auto columns = static_cast<std::uint64_t>(std::ceil(std::sqrt(static_cast<double>(count))));
   Random random(33 + n);
-  Builder builder(1);
+  LatticeBuilder builder(1);
   for (std::uint64_t star = 0; star < count; ++star) {
     Lattice c{};
     c.x = static_cast<std::int64_t>(kPitch * (star % columns)) + random.below(kJitter);
@@ -215,7 +215,7 @@ SegmentSet stars(std::uint64_t n) {
 SegmentSet pencil(std::uint64_t n) {
   constexpr std::int64_t kReach = 1'000'000;
   Random random(99 + n);
-  Builder builder(1);
+  LatticeBuilder builder(1);
   while (builder.size() < n) {
     Lattice u{};
     u.x = random.below(2 * kReach + 1) - kReach;
@@ -226,7 +226,7 @@ SegmentSet pencil(std::uint64_t n) {
 }
 
 SegmentSet tiles(const SegmentSet& drawing, std::uint64_t count, int dx, int dy) {
-  Builder builder(1);
+  LatticeBuilder builder(1);
   for (std::uint64_t tile = 0; tile < count; ++tile) {
     const Rational x = Rational(tile) * dx, y = Rational(tile) * dy;
     for (const auto& [a, b] : drawing.segments) {
@@ -237,7 +237,7 @@ SegmentSet tiles(const SegmentSet& drawing, std::uint64_t count, int dx, int dy)
 }
 
 SegmentSet hospital(const std::filesystem::path& directory) {
-  Builder builder(1);
+  LatticeBuilder builder(1);
   for (const char* name : kHospitalFiles) {
     const SegmentSet drawing = evaluate(read(directory / (std::string(name) + ".svg")));
     for (const Segment& s : drawing.segments) builder.add(s);

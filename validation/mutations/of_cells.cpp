@@ -7,8 +7,6 @@
 namespace plumbline::mutations {
 namespace {
 
-std::vector<Point> ends(const Right& right, EdgeId e) { return {right.tail(e), right.head(e)}; }
-
 std::optional<Broken> repeat_edge(Right& right) {
   const EdgeId e = right.edge([](EdgeId) { return true; });
   if (!e.valid()) return {};

@@ -12,8 +12,6 @@ constexpr Name kVertexExtra{CellKind::Vertex, Disagreement::Extra};
 constexpr Name kEdgeMissing{CellKind::Edge, Disagreement::Missing};
 constexpr Name kEdgeExtra{CellKind::Edge, Disagreement::Extra};
 
-std::vector<Point> ends(const Right& right, EdgeId e) { return {right.tail(e), right.head(e)}; }
-
 std::vector<Point> corners(const Right& right, FaceId f) {
   std::vector<Point> result;
   for (const HalfedgeId h : right->cycles[right->face_outer[f]])

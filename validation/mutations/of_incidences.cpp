@@ -18,8 +18,6 @@ std::vector<Point> points_of(const Right& right, std::span<const HalfedgeId> wal
   return result;
 }
 
-std::vector<Point> ends(const Right& right, EdgeId e) { return {right.tail(e), right.head(e)}; }
-
 Walk turned_round(Walk walk) {
   std::reverse(walk.begin(), walk.end());
   for (HalfedgeId& h : walk) h = twin(h);

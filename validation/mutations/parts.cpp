@@ -135,4 +135,6 @@ Point Right::small_step() {
   return below(2) == 0 ? Point{length, 0} : Point{0, length};
 }
 
+std::vector<Point> ends(const Right& right, EdgeId e) { return {right.tail(e), right.head(e)}; }
+
 }  // namespace plumbline::mutations

@@ -90,4 +90,7 @@ class Right {
   Rational small_;
 };
 
+/// Both ends of an edge.
+std::vector<Point> ends(const Right& right, EdgeId e);
+
 }  // namespace plumbline::mutations
