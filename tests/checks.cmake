@@ -41,7 +41,7 @@ if(NODE AND NPM)
                      ${PROJECT_BINARY_DIR}/report-page/node_modules ${CHROMIUM}
                      ${CMAKE_CURRENT_BINARY_DIR}/report_browser)
     set_tests_properties("page: what a reader sees and does in a browser" PROPERTIES
-                         FIXTURES_REQUIRED page_modules TIMEOUT 600)
+                         FIXTURES_REQUIRED page_modules TIMEOUT 7200)
   endif()
 endif()
 
@@ -80,8 +80,8 @@ if(CLANG)
   add_test(NAME "determinism: another compiler's tool, unoptimised, writes the same bytes"
            COMMAND ${determinism} $<TARGET_FILE:plumbline_cli>)
   set_tests_properties("determinism: another compiler's tool, unoptimised, writes the same bytes"
-                       PROPERTIES COST 1000)
+                       PROPERTIES TIMEOUT 7200 COST 1000)
 endif()
 
 # The longest start first.
-set_tests_properties("sources: clang-tidy finds nothing" PROPERTIES COST 1000)
+set_tests_properties("sources: clang-tidy finds nothing" PROPERTIES TIMEOUT 7200 COST 1000)
