@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "cli/tool.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
 #include "plumbline/engines/files.hpp"
@@ -111,7 +112,25 @@ TEST_CASE("every engine of the tool has a name, a title and described parameters
     for (const Parameter& parameter : engine.parameters) CHECK_FALSE(parameter.description.empty());
   }
   CHECK(names == "lar inters files ");
-  CHECK_THROWS_WITH(engine_for("luck", {}, {}), Catch::Contains("there are lar, inters, files"));
+  CHECK_THROWS_WITH(engine_named("luck", engines()),
+                    Catch::Contains("there are lar, inters, files"));
+}
+
+TEST_CASE("the tool checks an engine that it is given, by name and with its parameters") {
+  std::vector<Engine> known = engines();
+  known.push_back(unsplit());
+  const auto exit_code = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"plumbline", "check"});
+    std::vector<char*> words;
+    for (std::string& word : arguments) words.push_back(word.data());
+    return cli::run(static_cast<int>(words.size()), words.data(), known);
+  };
+  const std::string rooms = PLUMBLINE_EXAMPLES "/rooms.lines";
+  CHECK(exit_code({rooms, "--engine", "unsplit"}) == 0);
+  CHECK(exit_code({rooms, "--engine", "unsplit", "--set", "shift=0.5"}) == 1);
+  CHECK(exit_code({rooms, "--engine", "unsplit", "--set", "mode=never"}) == 2);
+  CHECK(exit_code({rooms, "--engine", "luck"}) == 2);
+  CHECK(exit_code({PLUMBLINE_EXAMPLES "/office-plan.svg", "--engine", "unsplit"}) == 1);
 }
 
 TEST_CASE("an answer without lines about a drawing without lines agrees, and about others not") {

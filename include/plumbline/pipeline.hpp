@@ -48,9 +48,10 @@ Drawing exact_answer(const std::filesystem::path& file, const DrawingOptions& op
 
 /// All engines that there are, by name: lar, inters, files.
 std::vector<Engine> engines();
-/// The engine of that name, for this drawing: inters maps to the unit square in floats, as
-/// published. Throws: Error BadInput for an unknown name.
-Engine engine_for(const std::string& name, const Drawing& drawing, const Parameters& parameters);
+/// The one of that name. Throws: Error BadInput, with the names that there are, for another.
+Engine engine_named(const std::string& name, const std::vector<Engine>& engines);
+/// The engine as it runs on this drawing: inters maps to the unit square in floats, as published.
+Engine engine_for(Engine engine, const Drawing& drawing, const Parameters& parameters);
 /// inters, which then also finds what its reader of SVG, svg2lines, would misread of the file.
 /// Throws: Error BadInput for a file that is no .svg, or is mapped to the unit square.
 Engine inters_with_svg2lines(const Drawing& drawing);

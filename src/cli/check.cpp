@@ -30,28 +30,21 @@ Parameters parameters_of(const CheckArguments& arguments, const Engine& engine) 
   return parameters;
 }
 
-Engine engine_named(const std::string& name) {
-  for (Engine& engine : engines()) {
-    if (engine.name == name) return engine;
-  }
-  return engine_for(name, {}, {});  // says which there are
+Answer answer_for(const CheckArguments& arguments, const Engine& engine, const Drawing& drawing) {
+  const Parameters parameters = parameters_of(arguments, engine);
+  return answer_of(arguments.with_svg2lines ? inters_with_svg2lines(drawing)
+                                            : engine_for(engine, drawing, parameters),
+                   drawing.input, parameters, arguments.threads);
 }
 
-Answer answer_for(const CheckArguments& arguments, const Drawing& drawing) {
-  const Parameters parameters = parameters_of(arguments, engine_named(arguments.engine));
-  const Engine engine = arguments.with_svg2lines
-                            ? inters_with_svg2lines(drawing)
-                            : engine_for(arguments.engine, drawing, parameters);
-  return answer_of(engine, drawing.input, parameters, arguments.threads);
-}
-
-Check compare(const CheckArguments& arguments) {
+Check compare(const CheckArguments& arguments, const std::vector<Engine>& engines) {
   // What is malformed is told at once, before the work.
+  const Engine engine = engine_named(arguments.engine, engines);
   std::optional<Answer> answer;
   if (arguments.against) {
     answer = files::answer(files::read(*arguments.against));
   } else {
-    parameters_of(arguments, engine_named(arguments.engine));
+    parameters_of(arguments, engine);
   }
   if (arguments.with_svg2lines && arguments.engine != "inters") {
     throw Error(ErrorCode::BadInput, "--svg2lines belongs to --engine inters", {},
@@ -60,7 +53,7 @@ Check compare(const CheckArguments& arguments) {
   Drawing drawing = load(arguments);
   const Progress progress(answer ? "comparing with " + answer->title
                                  : "running the engine " + arguments.engine + " and comparing");
-  if (!answer) answer = answer_for(arguments, drawing);
+  if (!answer) answer = answer_for(arguments, engine, drawing);
   return checked(std::move(drawing), std::move(*answer), arguments.tolerance, arguments.threads);
 }
 
@@ -78,13 +71,13 @@ Check advised_as_asked(Check result, const CheckArguments& arguments) {
 
 }  // namespace
 
-ExitCode run(const CheckArguments& arguments) {
+ExitCode run(const CheckArguments& arguments, const std::vector<Engine>& engines) {
   check_outputs(arguments.file, {{arguments.output, {".json"}},
                                  {arguments.picture, {".svg"}},
                                  {arguments.report, {".html"}},
                                  {arguments.plot, {".svg"}},
                                  {arguments.findings, {".geojson", ".json"}}});
-  const Check result = advised_as_asked(compare(arguments), arguments);
+  const Check result = advised_as_asked(compare(arguments, engines), arguments);
   if (arguments.output) write_file(*arguments.output, to_json(result));
   if (arguments.picture) write_file(*arguments.picture, to_svg(result));
   if (arguments.report) write_file(*arguments.report, to_html(result));

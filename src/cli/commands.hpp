@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/engine.hpp"
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/round.hpp"
@@ -111,7 +112,7 @@ struct RandomArguments {
 
 /// Each command prints to standard output and returns its exit code. Throws: Error.
 ExitCode run(const ArrangeArguments& arguments);
-ExitCode run(const CheckArguments& arguments);
+ExitCode run(const CheckArguments& arguments, const std::vector<Engine>& engines);
 ExitCode run(const InfoArguments& arguments);
 ExitCode run(const LarArguments& arguments);
 ExitCode run(const EvalArguments& arguments);

@@ -28,18 +28,21 @@ int decimals_of(const Parameters& parameters) {
 
 std::vector<Engine> engines() { return {lar::engine(), inters::engine(), files::engine()}; }
 
-Engine engine_for(const std::string& name, const Drawing& drawing, const Parameters& parameters) {
+Engine engine_named(const std::string& name, const std::vector<Engine>& engines) {
   std::string known;
-  for (Engine& engine : engines()) {
+  for (const Engine& engine : engines) {
+    if (engine.name == name) return engine;
     known += (known.empty() ? "" : ", ") + engine.name;
-    if (engine.name != name) continue;
-    if (name != "inters" || !drawing.unit_square) return engine;
-    inters::Original original;
-    original.lines =
-        inters::lines_on_unit_square(evaluate(drawing.structure), decimals_of(parameters));
-    return inters::engine(std::move(original));
   }
   throw Error(ErrorCode::BadInput, "unknown engine; there are " + known, {}, name);
+}
+
+Engine engine_for(Engine engine, const Drawing& drawing, const Parameters& parameters) {
+  if (engine.name != "inters" || !drawing.unit_square) return engine;
+  inters::Original original;
+  original.lines =
+      inters::lines_on_unit_square(evaluate(drawing.structure), decimals_of(parameters));
+  return inters::engine(std::move(original));
 }
 
 Engine inters_with_svg2lines(const Drawing& drawing) {

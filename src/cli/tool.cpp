@@ -1,0 +1,75 @@
+#include "cli/tool.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+#include "cli/arguments.hpp"
+#include "cli/memory_limit.hpp"
+#include "cli/watchdog.hpp"
+#include "plumbline/error.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+/// What was printed is written, or that fails.
+void flush_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Error(ErrorCode::BadFile, "cannot write to standard output");
+}
+
+template <class Arguments>
+ExitCode run_command(const Arguments& arguments, const std::vector<Engine>& /*engines*/) {
+  return run(arguments);
+}
+ExitCode run_command(const CheckArguments& arguments, const std::vector<Engine>& engines) {
+  return run(arguments, engines);
+}
+
+ExitCode parse_and_run(const std::vector<std::string>& arguments,
+                       const std::vector<Engine>& engines) {
+  const auto parsed = parse(arguments);
+  if (const auto* notice = std::get_if<Notice>(&parsed)) {
+    fmt::print(notice->is_error ? stderr : stdout, "{}", notice->text);
+    flush_output();
+    return notice->is_error ? kBadInput : kAgree;
+  }
+  const auto run_watched = [&](const auto& command) {
+    for (const std::string& note : command.notes) fmt::print(stderr, "plumbline: {}\n", note);
+    const Watchdog watchdog(command.limits);
+    const ExitCode code = run_command(command, engines);
+    flush_output();
+    return code;
+  };
+  return std::visit(run_watched, std::get<Command>(parsed));
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const std::vector<Engine>& engines) {
+  try {
+    return parse_and_run({argv + (argc > 0 ? 1 : 0), argv + argc}, engines);
+  } catch (const Error& error) {
+    fmt::print(stderr, "plumbline: {}\n", error.what());
+    return error.code() == ErrorCode::Internal ? kInternal : kBadInput;
+  } catch (const std::bad_alloc&) {
+    end_without_memory();
+  } catch (const std::system_error& error) {
+    fmt::print(stderr, "plumbline: {}\n", error.what());
+    return kBadInput;
+  } catch (const std::exception& error) {
+    // TBB cannot start a thread: a limit of the user's, on memory or on processes.
+    if (std::string_view(error.what()).starts_with("pthread_create has failed")) {
+      fmt::print(stderr, "plumbline: {}\n", error.what());
+      return kBadInput;
+    }
+    fmt::print(stderr, "plumbline: internal error: {}\n", error.what());
+    return kInternal;
+  }
+}
+
+}  // namespace plumbline::cli

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "plumbline/engine.hpp"
+
+namespace plumbline::cli {
+
+/// The tool: parses the arguments and runs what they ask for; `check` knows these engines by their
+/// names. Returns the exit code; errors are told on standard error.
+int run(int argc, char** argv, const std::vector<Engine>& engines);
+
+}  // namespace plumbline::cli
