@@ -46,24 +46,26 @@ Box Buckets::cell_box(std::size_t cell) const {
   const std::size_t column = cell % columns_, row = cell / columns_;
   const auto x = [&](std::size_t c) { return extent_.x0 + static_cast<double>(c) * column_width_; };
   const auto y = [&](std::size_t r) { return extent_.y0 + static_cast<double>(r) * row_height_; };
-  return {column == 0 ? whole_.x0 : x(column), row == 0 ? whole_.y0 : y(row),
-          column + 1 == columns_ ? whole_.x1 : x(column + 1),
-          row + 1 == rows_ ? whole_.y1 : y(row + 1)};
+  return {column == 0 ? -INFINITY : x(column), row == 0 ? -INFINITY : y(row),
+          column + 1 == columns_ ? INFINITY : x(column + 1),
+          row + 1 == rows_ ? INFINITY : y(row + 1)};
 }
 
 /// About one cell a line, square, and not much smaller than a line is long.
 void Buckets::choose_grid(std::span<const Approx> lines) {
   if (lines.empty()) return;
   const auto line = [&](std::size_t i) { return lines[i]; };
-  whole_ = extent_of(lines.size(), line);
   const Sample sample = sample_of(lines.size(), line);
-  extent_ = core_of(whole_, sample);
+  extent_ = core_of(extent_of(lines.size(), line), sample);
+  margin_.border = 32 * 0x1p-53 *
+                   std::max({std::abs(extent_.x0), std::abs(extent_.y0), std::abs(extent_.x1),
+                             std::abs(extent_.y1)});
   constexpr double kOfMeanLength = 0.7;
   const double n = static_cast<double>(lines.size());
-  const double width = std::max(extent_.x1 - extent_.x0, margin_);
-  const double height = std::max(extent_.y1 - extent_.y0, margin_);
+  const double width = std::max(extent_.x1 - extent_.x0, margin_.border);
+  const double height = std::max(extent_.y1 - extent_.y0, margin_.border);
   const double side = std::max({kOfMeanLength * sample.mean_length, std::sqrt(width / n * height),
-                                std::max(width, height) / n, 4 * margin_});
+                                std::max(width, height) / n, 4 * margin_.border});
   columns_ = static_cast<std::size_t>(std::max(1.0, std::ceil(width / side)));
   rows_ = static_cast<std::size_t>(std::max(1.0, std::ceil(height / side)));
   column_width_ = width > 0 ? width / static_cast<double>(columns_) : 1;
@@ -75,21 +77,23 @@ void Buckets::choose_grid(std::span<const Approx> lines) {
 template <class Visit>
 void Buckets::for_cells(const Approx& line, Visit visit) const {
   const auto [bottom, top] = std::minmax(line.ay, line.by);
-  const std::size_t first = row(bottom - margin_), last = row(top + margin_);
-  const Band band(line, margin_);
+  const double margin = margin_(line);
+  const std::size_t first = row(bottom - margin), last = row(top + margin);
+  const Band band(line, margin);
   for (std::size_t r = first; r <= last; ++r) {
     // The outer rows go on.
     const double row_bottom = extent_.y0 + static_cast<double>(r) * row_height_;
     const double low = r == 0 ? -INFINITY : row_bottom;
     const double high = r + 1 == rows_ ? INFINITY : row_bottom + row_height_;
     const auto [x0, x1] =
-        first == last ? std::pair(line.ax - margin_, line.bx + margin_) : band.between(low, high);
+        first == last ? std::pair(line.ax - margin, line.bx + margin) : band.between(low, high);
     const std::size_t end = column(x1);
     for (std::size_t c = column(x0); c <= end; ++c) visit(r * columns_ + c);
   }
 }
 
-Buckets::Buckets(std::span<const Approx> lines, double margin, Job& job) : margin_(margin) {
+Buckets::Buckets(std::span<const Approx> lines, double parameter_error, Job& job)
+    : margin_{parameter_error, 0} {
   choose_grid(lines);
   fill(lines, job);
   split_full_cells(lines, job);

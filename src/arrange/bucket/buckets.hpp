@@ -18,12 +18,13 @@ struct Split;
 /// The plane divided into parts ("buckets"), each with the lines that cross it: a uniform grid
 /// whose full cells are split further at the centroid, along x, y or across the lines' common
 /// direction (the idea of LAR's buckets: inters, 2.1). Every point belongs to one bucket. A bucket
-/// lists each line that comes within `margin` of it, so a point that is known only to within the
-/// margin still finds all its lines in its bucket. Buckets below the number of cells are cells;
-/// from there on they are parts of cells.
+/// lists each line that comes within its own margin of it, so a point that is known only to within
+/// the margin of one of its lines finds all those in its bucket whose margin is no less. Buckets
+/// below the number of cells are cells; from there on they are parts of cells.
 class Buckets {
  public:
-  Buckets(std::span<const Approx> lines, double margin, Job& job);
+  /// `parameter_error`: of the parameters of crossings.
+  Buckets(std::span<const Approx> lines, double parameter_error, Job& job);
 
   std::size_t size() const { return cell_node_.size() + parts_.size(); }
   /// A box around a bucket.
@@ -39,7 +40,7 @@ class Buckets {
     const std::size_t cell = row(y) * columns_ + column(x);
     return cell_node_[cell] == kNone ? cell : part_at(cell_node_[cell], x, y);
   }
-  double margin() const { return margin_; }
+  const Margin& margin() const { return margin_; }
   /// Whether the bucket's box is all of it, and not just around it.
   bool is_box(std::size_t bucket) const {
     return bucket < cell_node_.size() || part_is_box_[bucket - cell_node_.size()] != 0;
@@ -47,7 +48,7 @@ class Buckets {
 
   /// Calls visit(bucket, bottom) for the buckets that the vertical line through (x, y) meets, from
   /// y downwards, until it returns false; on the line, nothing of the bucket is above its
-  /// predecessors or, by more than the margin, below `bottom`.
+  /// predecessors or, by more than the margin of borders, below `bottom`.
   template <class Visit>
   void down(double x, double y, Visit visit) const {
     const std::size_t c = column(x);
@@ -87,7 +88,9 @@ class Buckets {
     const bool high = n.is_high(x, y);
     if (n.y == 0) return down(n.low + (high ? 1 : 0), x, y, bottom, visit);
     if (high == (n.y > 0)) {
-      const double border = (n.at - n.x * x) / n.y + 4 * margin_ / std::abs(n.y);
+      const double rounding = 8 * 0x1p-53 * (std::abs(n.at) + std::abs(n.x * x));
+      const double border =
+          (n.at - n.x * x) / n.y + 4 * (margin_.border + rounding) / std::abs(n.y);
       if (!down(n.low + (high ? 1 : 0), x, y, std::max(bottom, border), visit)) return false;
       if (border < bottom) return true;
     }
@@ -97,8 +100,10 @@ class Buckets {
   std::size_t column(double x) const { return index((x - extent_.x0) * per_width_, columns_); }
   std::size_t row(double y) const { return index((y - extent_.y0) * per_height_, rows_); }
   static std::size_t index(double v, std::size_t count) {
-    return v <= 0 ? 0 : std::min(static_cast<std::size_t>(v), count - 1);
+    if (!(v > 0)) return 0;
+    return v < static_cast<double>(count) ? static_cast<std::size_t>(v) : count - 1;
   }
+  /// Without end at the borders of the grid.
   Box cell_box(std::size_t cell) const;
   void choose_grid(std::span<const Approx> lines);
   template <class Visit>
@@ -107,9 +112,8 @@ class Buckets {
   void split_full_cells(std::span<const Approx> lines, Job& job);
   void settle(Open& open, Split& split, std::vector<Open>& next);
 
-  double margin_;
-  Box whole_{0, 0, 1, 1};   ///< around all lines
-  Box extent_{0, 0, 1, 1};  ///< of the grid; its outer cells go on to the border of the whole
+  Margin margin_;
+  Box extent_{0, 0, 1, 1};  ///< of the grid, whose outer cells go on without end
   std::size_t columns_ = 1, rows_ = 1;
   double column_width_ = 1, row_height_ = 1, per_width_ = 1, per_height_ = 1;
   Grouped<LineId> members_;               ///< per cell
@@ -127,7 +131,7 @@ class Membership {
       : buckets_(buckets),
         bucket_(bucket),
         box_(buckets.box(bucket)),
-        margin_(buckets.margin()),
+        margin_(buckets.margin().border),
         is_box_(buckets.is_box(bucket)) {}
 
   bool contains(const PointD& p) const {

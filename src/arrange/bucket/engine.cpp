@@ -17,26 +17,6 @@ std::vector<Approx> approximations(const Kernel& kernel, Job& job) {
   return approx;
 }
 
-/// The largest absolute value of a coordinate.
-double reach_of(std::span<const Approx> approx) {
-  double reach = 0;
-  for (const Approx& l : approx) {
-    reach = std::max({reach, std::abs(l.ax), std::abs(l.ay), std::abs(l.bx), std::abs(l.by)});
-  }
-  return reach;
-}
-
-/// Points known to within the errors of a parameter and of rounded coordinates are this close to
-/// where they are computed to be, and so are the borders of buckets. With u = 2^-53 and r the
-/// reach: a point a + t (b - a) is off by 2 r times the error of t, which is at most 4
-/// kRelativeError, and by 8 u r for rounded ends and operations; the border of a cell, computed in
-/// two ways, by 9 u r; a coordinate widened by the margin, its rounded line and the projection onto
-/// a normal by 6 u r.
-template <class Kernel>
-double margin_of(double reach) {
-  return (8 * Kernel::kRelativeError + 32 * 0x1p-53) * reach;
-}
-
 template <class Kernel>
 Result arrange_lines(Kernel kernel, Job& job) {
   Result result;
@@ -45,12 +25,11 @@ Result arrange_lines(Kernel kernel, Job& job) {
   Merged merged = CollinearMerge<Kernel>(kernel, job).merge();
   result.provenance = sort_lines(kernel, item_count, std::move(merged), job);
   const std::vector<Approx> approx = approximations(kernel, job);
-  const double reach = reach_of(approx);
   job.begin_step(0.1);
-  const Buckets buckets(approx, margin_of<Kernel>(reach), job);
+  const Buckets buckets(approx, Kernel::kParameterError, job);
 
   job.begin_step(0.25);
-  const Scene<Kernel> scene{kernel, approx, reach, buckets};
+  const Scene<Kernel> scene{kernel, approx, buckets};
   const std::vector<EndId> same_end = same_ends(scene, job);
   std::vector<Meetings> found = find_meetings(scene, job);
   job.begin_step(0.2);
@@ -81,12 +60,12 @@ Result arrange_lines(Kernel kernel, Job& job) {
   return result;
 }
 
-/// The narrowest that holds the input.
+/// The simplest that holds the input.
 AnyKernel make_kernel(const SegmentSet& input, Job& job) {
-  const auto grid = GridInput::from(input, job);
-  if (!grid) return RationalKernel(input, job);
-  if (GridKernel<std::int32_t>::fits(*grid)) return GridKernel<std::int32_t>(*grid);
-  return GridKernel<std::int64_t>(*grid);
+  std::optional<GridInput> grid = GridInput::from(input, job);
+  if (!grid) return FilteredKernel(input, job);
+  if (GridKernel::fits(*grid)) return GridKernel(*grid);
+  return FilteredKernel(std::move(*grid), job);
 }
 
 }  // namespace

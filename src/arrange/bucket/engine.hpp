@@ -3,12 +3,12 @@
 #include <variant>
 
 #include "arrange/bucket/faces.hpp"
+#include "arrange/bucket/filtered_kernel.hpp"
 #include "arrange/bucket/grid_kernel.hpp"
-#include "arrange/bucket/rational_kernel.hpp"
 
 namespace plumbline::bucket {
 
-using AnyKernel = std::variant<GridKernel<std::int32_t>, GridKernel<std::int64_t>, RationalKernel>;
+using AnyKernel = std::variant<GridKernel, FilteredKernel>;
 
 /// Everything that the engine found out, by implicit vertices.
 struct Result {

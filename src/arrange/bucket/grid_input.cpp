@@ -3,142 +3,116 @@
 #include <algorithm>
 #include <atomic>
 
-#include "arrange/bucket/wide.hpp"
-
 namespace plumbline::bucket {
 namespace {
 
-constexpr std::size_t kBlock = 2048;
-
-/// Scales below this fit, and distances from the first coordinate.
+/// Scales and multiples of it are below this, and so are distances from the first coordinate.
 constexpr int kDistanceBits = GridInput::kBits + 1;
-const mpz_class& bound() {
-  static const mpz_class value = mpz_class(1) << kDistanceBits;
-  return value;
+constexpr UInt128 kBound = UInt128{1} << kDistanceBits;
+
+bool is_below_bound(const mpz_class& v) {
+  return mpz_sizeinbase(v.get_mpz_t(), 2) <= kDistanceBits;
+}
+
+mpz_class power_of_ten(int digits) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(digits));
+  return power;
 }
 
 /// The least common multiple of all denominators, or nothing if it is not below the bound.
-std::optional<mpz_class> common_scale(const SegmentSet& input) {
+std::optional<mpz_class> common_scale(const SegmentSet& input,
+                                      const std::vector<NumberPoint>& points, std::size_t count) {
   mpz_class scale = 1;
-  const auto include = [&](const Rational& c) {
-    if (mpz_divisible_p(scale.get_mpz_t(), c.get_den_mpz_t()) == 0) {
-      mpz_lcm(scale.get_mpz_t(), scale.get_mpz_t(), c.get_den_mpz_t());
-    }
-    return scale < bound();
-  };
-  for (const Segment& s : input.segments) {
-    if (!include(s.a.x) || !include(s.a.y) || !include(s.b.x) || !include(s.b.y))
-      return std::nullopt;
+  int digits = 0;
+  bool fits = true;
+  for (std::size_t i = 0; i < count && fits; ++i) {
+    for_numbers(input.segments, points, i, [&](std::size_t, const Number& n) {
+      if (n.is_decimal()) {
+        digits = std::max(digits, n.digits());
+        return;
+      }
+      const mpz_class& d = n.held_rational().get_den();
+      if (mpz_divisible_p(scale.get_mpz_t(), d.get_mpz_t()) == 0) scale = lcm(scale, d);
+      fits = fits && is_below_bound(scale);
+    });
   }
-  for (const Point& p : input.points) {
-    if (!include(p.x) || !include(p.y)) return std::nullopt;
-  }
+  scale = lcm(scale, power_of_ten(digits));
+  if (!fits || !is_below_bound(scale)) return std::nullopt;
   return scale;
 }
 
-/// c times scale, an integer, less the origin, in `result`; false if it does not fit.
-bool on_grid(const Rational& c, const mpz_class& scale, const mpz_class& origin, mpz_class& work,
-             std::int64_t& result) {
-  mpz_divexact(work.get_mpz_t(), scale.get_mpz_t(), c.get_den_mpz_t());
-  mpz_mul(work.get_mpz_t(), work.get_mpz_t(), c.get_num_mpz_t());
-  work -= origin;
-  if (mpz_cmpabs(work.get_mpz_t(), bound().get_mpz_t()) >= 0) return false;
-  result = work.get_si();
-  return true;
-}
+/// Numbers as integers on the grid, counted from a point of it.
+class Grid {
+ public:
+  Grid(const mpz_class& scale, const Number& x, const Number& y) : scale_(scale) {
+    for (int d = 0; d <= Number::kMaxDigits; ++d) {
+      const mpz_class power = power_of_ten(d);
+      if (mpz_divisible_p(scale.get_mpz_t(), power.get_mpz_t()) == 0) break;
+      per_decimal_.push_back(magnitude(to_int256(scale / power)).low);
+    }
+    const auto origin_x = on_grid(x), origin_y = on_grid(y);
+    if (origin_x && origin_y) origin_ = {*origin_x, *origin_y};
+  }
+  /// From the point of the grid; 0 stands for one that is too far from 0.
+  const std::array<Int256, 2>& origin() const { return origin_; }
 
-void orient(std::array<std::int64_t, 4>& line) {
+  /// Coordinate k of a line; nothing where it is not below the bound.
+  std::optional<Int128> at(std::size_t k, const Number& n) const {
+    const std::optional<Int256> absolute = on_grid(n);
+    if (!absolute) return std::nullopt;
+    const Int256 v = *absolute - origin_[k % 2];
+    const UInt256 m = magnitude(v);
+    if (m.high != 0 || m.low >= kBound) return std::nullopt;
+    return static_cast<Int128>(v.low);
+  }
+
+ private:
+  /// Nothing if it has more than 250 bits.
+  std::optional<Int256> on_grid(const Number& n) const {
+    if (n.is_decimal()) {
+      const UInt256 m = multiply(magnitude(Int128(n.mantissa())),
+                                 per_decimal_[static_cast<std::size_t>(n.digits())]);
+      const Int256 v(static_cast<Int128>(m.high), m.low);
+      return n.mantissa() < 0 ? -v : v;
+    }
+    const Rational& r = n.held_rational();
+    mpz_class v;
+    mpz_divexact(v.get_mpz_t(), scale_.get_mpz_t(), r.get_den_mpz_t());
+    v *= r.get_num();
+    if (mpz_sizeinbase(v.get_mpz_t(), 2) > 250) return std::nullopt;
+    return to_int256(v);
+  }
+
+  mpz_class scale_;
+  std::vector<UInt128> per_decimal_;  ///< grid units in 10^-d
+  std::array<Int256, 2> origin_;
+};
+
+void orient(std::array<Int128, 4>& line) {
   if (line[0] > line[2] || (line[0] == line[2] && line[1] > line[3])) {
     std::swap(line[0], line[2]);
     std::swap(line[1], line[3]);
   }
 }
 
-/// The isolated points as numbers.
-std::vector<NumberPoint> numbers_of(const std::vector<Point>& points) {
-  std::vector<NumberPoint> result;
-  result.reserve(points.size());
-  for (const Point& p : points) result.push_back({Number(p.x), Number(p.y)});
-  return result;
-}
-
-/// Calls visit(i, k, number) for coordinate k of segment i; those of points come after, twice.
-template <class Visit>
-void for_numbers(const SegmentList& segments, const std::vector<NumberPoint>& points, std::size_t i,
-                 Visit visit) {
-  if (i < segments.size()) {
-    const auto numbers = segments.numbers(i);
-    for (std::size_t k = 0; k < numbers.size(); ++k) visit(k, numbers[k]);
-  } else {
-    const NumberPoint& p = points[i - segments.size()];
-    visit(0, p.x);
-    visit(1, p.y);
-    visit(2, p.x);
-    visit(3, p.y);
-  }
-}
-
-/// Short decimals on the grid of their last digits; false if that does not hold them all.
-bool decimals_on_grid(const SegmentSet& input, const Point& first, GridInput& grid, Job& job) {
-  const std::vector<NumberPoint> points = numbers_of(input.points);
-  int digits = 0;
-  bool short_decimals = true;
-  for (std::size_t i = 0; i < grid.lines.size() && short_decimals; ++i) {
-    for_numbers(input.segments, points, i, [&](std::size_t, const Number& n) {
-      short_decimals = short_decimals && n.is_decimal();
-      digits = std::max(digits, n.digits());
-    });
-  }
-  if (!short_decimals) return false;
-  std::array<std::int64_t, Number::kMaxDigits + 1> power{1};
-  for (std::size_t d = 1; d < power.size(); ++d) power[d] = 10 * power[d - 1];
-  const auto scaled = [&](const Number& n) {
-    return Int128(n.mantissa()) * power[static_cast<std::size_t>(digits - n.digits())];
-  };
-  const Int128 origin[2] = {scaled(Number(first.x)), scaled(Number(first.y))};
+/// False where a coordinate does not fit.
+bool fill(const SegmentSet& input, const std::vector<NumberPoint>& points, const Grid& on_grid,
+          GridInput& grid, Job& job) {
   std::atomic<bool> fits = true;
   job.for_each(grid.lines.size(), [&](std::size_t i) {
     for_numbers(input.segments, points, i, [&](std::size_t k, const Number& n) {
-      const Int128 v = scaled(n) - origin[k % 2];
-      if (v >= Int128(1) << kDistanceBits || -v >= Int128(1) << kDistanceBits) {
-        fits.store(false, std::memory_order_relaxed);
-      }
-      grid.lines[i][k] = static_cast<std::int64_t>(v);
+      const std::optional<Int128> v = on_grid.at(k, n);
+      if (!v) fits.store(false, std::memory_order_relaxed);
+      grid.lines[i][k] = v.value_or(0);
     });
     orient(grid.lines[i]);
-  });
-  grid.scale = static_cast<unsigned long>(power[static_cast<std::size_t>(digits)]);
-  return fits;
-}
-
-/// Any rationals on the grid of their common denominator; false if that does not hold them all.
-bool rationals_on_grid(const SegmentSet& input, const Point& first, GridInput& grid, Job& job) {
-  const std::optional<mpz_class> scale = common_scale(input);
-  if (!scale) return false;
-  grid.scale = *scale;
-  const mpz_class x = Rational(first.x * *scale).get_num(),
-                  y = Rational(first.y * *scale).get_num();
-  const std::size_t segments = input.segments.size();
-  std::atomic<bool> fits = true;
-  job.for_blocks(grid.lines.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    mpz_class work;
-    for (std::size_t i = begin; i < end && fits; ++i) {
-      auto& line = grid.lines[i];
-      const auto [a, b] = i < segments
-                              ? input.segments[i]
-                              : Segment{input.points[i - segments], input.points[i - segments]};
-      if (!on_grid(a.x, *scale, x, work, line[0]) || !on_grid(a.y, *scale, y, work, line[1]) ||
-          !on_grid(b.x, *scale, x, work, line[2]) || !on_grid(b.y, *scale, y, work, line[3])) {
-        fits = false;
-      }
-      orient(line);
-    }
   });
   return fits;
 }
 
 /// Moves the origin to the middle, so that coordinates are as small as they can be.
-void centre(const Point& first, GridInput& grid, Job& job) {
+void centre(GridInput& grid, Job& job) {
   auto low = grid.lines[0], high = low;
   for (const auto& line : grid.lines) {
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -147,12 +121,12 @@ void centre(const Point& first, GridInput& grid, Job& job) {
     }
   }
   const auto middle = [&](std::size_t i) {
-    const std::int64_t least = std::min(low[i], low[i + 2]), most = std::max(high[i], high[i + 2]);
-    const std::int64_t m = least + (most - least) / 2;
+    const Int128 least = std::min(low[i], low[i + 2]), most = std::max(high[i], high[i + 2]);
+    const Int128 m = least + (most - least) / 2;
     grid.largest = std::max({grid.largest, m - least, most - m});
     return m;
   };
-  const std::int64_t x = middle(0), y = middle(1);
+  const Int128 x = middle(0), y = middle(1);
   job.for_each(grid.lines.size(), [&](std::size_t i) {
     auto& line = grid.lines[i];
     line[0] -= x;
@@ -160,21 +134,34 @@ void centre(const Point& first, GridInput& grid, Job& job) {
     line[1] -= y;
     line[3] -= y;
   });
-  grid.x = Rational(first.x * grid.scale).get_num() + static_cast<long>(x);
-  grid.y = Rational(first.y * grid.scale).get_num() + static_cast<long>(y);
+  grid.frame.x += to_mpz(x);
+  grid.frame.y += to_mpz(y);
 }
 
 }  // namespace
 
+std::vector<NumberPoint> numbers_of(const std::vector<Point>& points) {
+  std::vector<NumberPoint> result;
+  result.reserve(points.size());
+  for (const Point& p : points) result.push_back({Number(p.x), Number(p.y)});
+  return result;
+}
+
 std::optional<GridInput> GridInput::from(const SegmentSet& input, Job& job) {
+  const std::vector<NumberPoint> points = numbers_of(input.points);
   GridInput grid;
-  grid.lines.resize(input.segments.size() + input.points.size());
+  grid.lines.resize(input.segments.size() + points.size());
   if (grid.lines.empty()) return grid;
-  const Point first = input.segments.empty() ? input.points[0] : input.segments[0].a;
-  if (!decimals_on_grid(input, first, grid, job) && !rationals_on_grid(input, first, grid, job)) {
-    return std::nullopt;
-  }
-  centre(first, grid, job);
+  const std::optional<mpz_class> scale = common_scale(input, points, grid.lines.size());
+  if (!scale) return std::nullopt;
+  grid.frame.scale = *scale;
+  std::array<Number, 2> first;
+  for_numbers(input.segments, points, 0, [&](std::size_t k, const Number& n) { first[k % 2] = n; });
+  const Grid on_grid(*scale, first[0], first[1]);
+  if (!fill(input, points, on_grid, grid, job)) return std::nullopt;
+  grid.frame.x = to_mpz(on_grid.origin()[0]);
+  grid.frame.y = to_mpz(on_grid.origin()[1]);
+  centre(grid, job);
   if ((grid.largest >> kBits) != 0) return std::nullopt;
   return grid;
 }

@@ -98,7 +98,7 @@ class Rays {
         height = height_at(s, x);
       }
       // What lies higher than the bottom of this bucket has been seen.
-      return best == kNone || height < bottom + buckets_.margin();
+      return best == kNone || height < bottom + buckets_.margin().border;
     });
     return best == kNone ? HalfedgeId() : halfedge(edge_right_of(best, end), false);
   }
@@ -106,7 +106,8 @@ class Rays {
  private:
   bool passes_below(LineId s, EndId end, double x, double y) const {
     const Approx& l = approx_[s];
-    if (x < l.ax || l.bx < x || y + buckets_.margin() < std::min(l.ay, l.by)) return false;
+    // Rounding to nearest keeps the order.
+    if (x < l.ax || l.bx < x || y < std::min(l.ay, l.by)) return false;
     return kernel_.compare_x(first_end(s), end) <= 0 && kernel_.compare_x(end, last_end(s)) < 0 &&
            kernel_.side(s, end) > 0;
   }
@@ -115,7 +116,7 @@ class Rays {
   double height_at(LineId s, double x) const {
     const Approx& l = approx_[s];
     const auto [low, high] = std::minmax(l.ay, l.by);
-    const double dx = l.bx - l.ax, uncertain = (high - low) * (buckets_.margin() / dx);
+    const double dx = l.bx - l.ax, uncertain = (high - low) * (buckets_.margin()(l) / dx);
     if (!(uncertain < high - low)) return low;
     return std::max(low, l.ay + (l.by - l.ay) * ((x - l.ax) / dx) - uncertain);
   }

@@ -42,7 +42,6 @@ template <class Kernel>
 struct Scene {
   const Kernel& kernel;
   std::span<const Approx> approx;
-  double reach;  ///< the largest absolute value in `approx`
   const Buckets& buckets;
 
   PointD place(EndId end) const {
@@ -53,13 +52,15 @@ struct Scene {
     const Approx& l = approx[s];
     return {l.ax + t * (l.bx - l.ax), l.ay + t * (l.by - l.ay)};
   }
-  /// A bound on the error of a parameter along s. A parameter of a crossing is a ratio of two
-  /// values with a relative error of kRelativeError each, plus three roundings; one of an end
-  /// suffers from the rounding of the coordinates.
+  double margin(LineId s) const { return buckets.margin()(approx[s]); }
+  /// Two parameters along s that are further apart are in the order of their points. Those of
+  /// crossings are off by kParameterError each; one of an end, a quotient of differences of rounded
+  /// coordinates, by 8 u times the greatest coordinate of s, divided by its length.
   double parameter_error(LineId s) const {
     const Approx& l = approx[s];
     const double length = std::max(l.bx - l.ax, std::abs(l.by - l.ay));
-    return 8 * (Kernel::kRelativeError + 0x1p-53) + 16 * 0x1p-53 * (reach / length);
+    const double reach = std::max({std::abs(l.ax), std::abs(l.ay), std::abs(l.bx), std::abs(l.by)});
+    return 4 * (Kernel::kParameterError + 2 * 0x1p-53) + 20 * 0x1p-53 * (reach / length);
   }
   /// The parameter of a point on s.
   double along(LineId s, const PointD& p) const {
@@ -103,12 +104,13 @@ class Pairs {
   }
 
   /// Records what two lines have in common, if it is in this bucket. A crossing is computed in the
-  /// same way in every bucket, so just one of them holds it. `r`: of the lesser line to the
-  /// greater.
+  /// same way in every bucket, so just one of them holds it: on the line of lesser margin, so that
+  /// the bucket of the computed point lists both. `r`: of the lesser line to the greater.
   void record(LineId s, LineId o, const Relation& r) {
     if (o < s) std::swap(s, o);
     if (r.cross()) {
-      if (here_.contains(scene_.at(s, r.at_s))) add_crossing(s, o, r);
+      const bool on_s = scene_.margin(s) <= scene_.margin(o);
+      if (here_.contains(on_s ? scene_.at(s, r.at_s) : scene_.at(o, r.at_o))) add_crossing(s, o, r);
       return;
     }
     const bool s_is_point = kernel_.is_point(s), o_is_point = kernel_.is_point(o);

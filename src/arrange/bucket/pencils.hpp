@@ -23,7 +23,6 @@ class Pencils {
         kernel_(scene.kernel),
         pairs_(scene, bucket, found),
         box_(scene.buckets.box(bucket)),
-        margin_(2 * scene.buckets.margin()),
         found_(found) {}
 
   void search(std::span<const LineId> lines) {
@@ -77,10 +76,12 @@ class Pencils {
   void sort_across(std::span<const LineId> lines) {
     const PointD normal = mean_normal(lines, scene_.approx).normal;
     members_.reserve(lines.size());
+    for (const LineId line : lines) margin_ = std::max(margin_, 2 * scene_.margin(line));
     for (const LineId line : lines) {
       const auto [p, q] = clipped(scene_.approx[line], box_, margin_);
       const double u = normal.x * p.x + normal.y * p.y, v = normal.x * q.x + normal.y * q.y;
-      members_.push_back({std::min(u, v) - margin_, std::max(u, v) + margin_, line, 0});
+      const double margin = 2 * scene_.margin(line);
+      members_.push_back({std::min(u, v) - margin, std::max(u, v) + margin, line, 0});
     }
     std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
       return a.low != b.low ? a.low < b.low : a.line < b.line;
@@ -248,7 +249,7 @@ class Pencils {
   const Kernel& kernel_;
   Pairs<Kernel> pairs_;
   Box box_;
-  double margin_;
+  double margin_ = 0;  ///< twice the greatest of a line here
   Meetings& found_;
   std::vector<Member> members_;
   std::vector<std::uint64_t>

@@ -23,8 +23,8 @@ struct PairSample {
   double crossing = 0;  ///< the share of pairs that cross inside the box
 };
 
-bool is_pencil(const PointD& p, double tolerance, const std::vector<LineId>& members,
-               std::span<const Approx> lines) {
+bool is_pencil(const PointD& p, double slack, const std::vector<LineId>& members,
+               std::span<const Approx> lines, const Margin& margin) {
   constexpr std::size_t kProbes = 64;
   constexpr double kNearly = 0.9;
   std::size_t through = 0;
@@ -32,13 +32,13 @@ bool is_pencil(const PointD& p, double tolerance, const std::vector<LineId>& mem
     const Approx& l = lines[members[k * members.size() / kProbes]];
     const double dx = l.bx - l.ax, dy = l.by - l.ay;
     const double off = dx * (p.y - l.ay) - dy * (p.x - l.ax);
-    if (std::abs(off) <= tolerance * (std::abs(dx) + std::abs(dy))) ++through;
+    if (std::abs(off) <= slack * margin(l) * (std::abs(dx) + std::abs(dy))) ++through;
   }
   return static_cast<double>(through) >= kNearly * kProbes;
 }
 
 PairSample look_at_pairs(const Box& box, const std::vector<LineId>& members,
-                         std::span<const Approx> lines, double margin) {
+                         std::span<const Approx> lines, const Margin& margin) {
   constexpr std::size_t kPairs = 32;
   constexpr double kSlack = 16;
   PairSample result;
@@ -63,37 +63,40 @@ PairSample look_at_pairs(const Box& box, const std::vector<LineId>& members,
       best = p;
     }
   }
-  result.pencil = best_sine > 0 && is_pencil(best, kSlack * margin / best_sine, members, lines);
+  result.pencil = best_sine > 0 && is_pencil(best, kSlack / best_sine, members, lines, margin);
   return result;
 }
 
 /// Splits at the centroid of the parts of the lines inside the box.
 Split split_along(const PointD& normal, const Box& box, const std::vector<LineId>& members,
-                  std::span<const Approx> lines, double margin) {
-  // A point within the margin of a line, and the rounding of its projection.
-  const double slack = 2 * margin;
-  std::vector<std::pair<double, double>> ranges;
+                  std::span<const Approx> lines, const Margin& margin) {
+  struct Range {
+    double low, high;
+  };
+  std::vector<Range> ranges;
   ranges.reserve(members.size());
   Split result;
   result.normal = normal;
   for (const LineId s : members) {
+    // A point within the margin of the line, and the rounding of its projection.
+    const double slack = 2 * margin(lines[s]);
     const auto [p, q] = clipped(lines[s], box, slack);
     const auto [low, high] =
         std::minmax({normal.x * p.x + normal.y * p.y, normal.x * q.x + normal.y * q.y});
-    ranges.emplace_back(low, high);
+    ranges.push_back({low - slack, high + slack});
     result.at += (low + high) / 2;
   }
   result.at /= static_cast<double>(members.size());
   for (std::size_t i = 0; i < members.size(); ++i) {
-    if (ranges[i].first - slack <= result.at) result.low.push_back(members[i]);
-    if (ranges[i].second + slack >= result.at) result.high.push_back(members[i]);
+    if (ranges[i].low <= result.at) result.low.push_back(members[i]);
+    if (ranges[i].high >= result.at) result.high.push_back(members[i]);
   }
   return result;
 }
 
 /// The normal of the split that puts the fewest lines on both sides, judged by some of them.
 PointD best_normal(const Box& box, const std::vector<LineId>& members,
-                   std::span<const Approx> lines, double margin) {
+                   std::span<const Approx> lines, const Margin& margin) {
   constexpr std::size_t kSome = 64;
   std::vector<LineId> some;
   const std::size_t count = std::min(members.size(), kSome);
@@ -143,7 +146,7 @@ std::pair<PointD, PointD> clipped(const Approx& l, const Box& box, double slack)
 }
 
 Split split(const Box& box, const std::vector<LineId>& members, std::span<const Approx> lines,
-            double margin) {
+            const Margin& margin) {
   if (members.size() <= kFullBucket) return {};
   const PairSample pairs = look_at_pairs(box, members, lines, margin);
   if (pairs.pencil) return {};

@@ -29,7 +29,7 @@ struct Split {
 /// useful if there are few lines, if all but a few go through one point (a pencil is searched best
 /// as a whole), or if too many lines would be on both sides.
 Split split(const Box& box, const std::vector<LineId>& members, std::span<const Approx> lines,
-            double margin);
+            const Margin& margin);
 
 /// The unit vector across the mean direction of lines, and how much they agree in it (0 to 1).
 struct MeanNormal {

@@ -1,0 +1,211 @@
+#include "arrange/bucket/exact_lines.hpp"
+
+#include <cmath>
+
+#include "arrange/bucket/prime_field.hpp"
+
+namespace plumbline::bucket {
+namespace {
+
+namespace field = prime_field;
+
+/// n / d as a double, with an error of some roundings.
+double quotient(const mpz_class& n, const mpz_class& d) {
+  long n_exponent = 0, d_exponent = 0;
+  const double a = mpz_get_d_2exp(&n_exponent, n.get_mpz_t());
+  const double b = mpz_get_d_2exp(&d_exponent, d.get_mpz_t());
+  return std::ldexp(a / b, static_cast<int>(std::max(n_exponent - d_exponent, -2000L)));
+}
+template <class Integer>
+double quotient(const Integer& n, const Integer& d) {
+  return to_double(n) / to_double(d);
+}
+
+std::uint64_t residue(std::int64_t v) { return field::residue(v); }
+std::uint64_t residue(Int128 v) {
+  const UInt128 m = magnitude(v);  // 2^64 = 8
+  const std::uint64_t r =
+      field::reduced(field::reduced(static_cast<std::uint64_t>(m)) +
+                     field::multiply(8, field::reduced(static_cast<std::uint64_t>(m >> 64))));
+  return v < 0 ? field::subtract(0, r) : r;
+}
+std::uint64_t residue(const mpz_class& v) { return mpz_fdiv_ui(v.get_mpz_t(), field::kPrime); }
+/// Of a rational in lowest terms; kNoResidue if it has none.
+std::uint64_t residue(const Rational& value) {
+  const std::uint64_t d = residue(value.get_den());
+  return d == 0 ? field::kNoResidue : field::multiply(residue(value.get_num()), field::inverse(d));
+}
+
+Rational quotient_of(const mpz_class& n, const mpz_class& d) {
+  Rational r(n, d);
+  r.canonicalize();
+  return r;
+}
+
+}  // namespace
+
+mpz_class to_mpz(UInt128 v) {
+  mpz_class result = static_cast<unsigned long>(v >> 64);
+  result <<= 64;
+  result += static_cast<unsigned long>(static_cast<std::uint64_t>(v));
+  return result;
+}
+mpz_class to_mpz(std::int64_t v) { return static_cast<long>(v); }
+mpz_class to_mpz(Int128 v) {
+  return v < 0 ? mpz_class(-to_mpz(magnitude(v))) : to_mpz(magnitude(v));
+}
+
+mpz_class to_mpz(const Int256& v) {
+  const UInt256 m = magnitude(v);
+  mpz_class result = to_mpz(m.high);
+  result <<= 128;
+  result += to_mpz(m.low);
+  return sign(v) < 0 ? mpz_class(-result) : result;
+}
+
+Int256 to_int256(const mpz_class& v) {
+  const auto limb = [&](int i) { return UInt128{mpz_getlimbn(v.get_mpz_t(), i)}; };
+  const Int256 m(static_cast<Int128>(limb(3) << 64U | limb(2)), limb(1) << 64U | limb(0));
+  return sgn(v) < 0 ? -m : m;
+}
+
+template <class C>
+LineId ExactLines<C>::join(EndId a, EndId b) {
+  if constexpr (kWeighted) {
+    lines_.push_back({weighted(x(a), b), weighted(y(a), b), weighted(x(b), a), weighted(y(b), a),
+                      weighted(lines_[line_of(a)][4], b)});
+  } else {
+    lines_.push_back({x(a), y(a), x(b), y(b)});
+  }
+  return static_cast<LineId>(lines_.size() - 1);
+}
+
+template <class C>
+void ExactLines<C>::reorder(const std::vector<LineId>& order, Job& job) {
+  std::vector<Line> lines(order.size());
+  job.for_each(order.size(), [&](std::size_t i) { std::swap(lines[i], lines_[order[i]]); });
+  lines_ = std::move(lines);
+}
+
+// The supporting line is y = slope x + height with slope = dy / dx and height = (ay - slope ax) /
+// weight; all divisions by dx of a block are made with one inversion (Montgomery 1987).
+template <class C>
+void ExactLines<C>::keys(std::size_t begin, std::size_t end, std::uint64_t* key) const {
+  std::uint64_t all = 1;
+  for (std::size_t s = begin; s < end; ++s) {
+    key[s - begin] = all;
+    const std::uint64_t d = residue(dx(static_cast<LineId>(s)));
+    if (d != 0) all = field::multiply(all, d);
+  }
+  std::uint64_t inverse = field::inverse(all);
+  for (std::size_t i = end; i-- > begin;) {
+    const auto s = static_cast<LineId>(i);
+    std::uint64_t& k = key[i - begin];
+    const std::uint64_t d = residue(dx(s)), before = k;
+    std::uint64_t per_weight = 1;
+    if constexpr (kWeighted) per_weight = field::inverse(residue(lines_[s][4]));
+    const auto place = [&](const C& v) {
+      return field::multiply(residue(Difference(v)), per_weight);
+    };
+    const std::uint64_t ax = place(lines_[s][0]), ay = place(lines_[s][1]);
+    if (per_weight == 0 || (d == 0 && dx(s) != 0)) {
+      k = key_of_rationals(s);
+    } else if (d != 0) {
+      const std::uint64_t slope = field::multiply(residue(dy(s)), field::multiply(inverse, before));
+      k = field::key(slope, field::subtract(ay, field::multiply(slope, ax)));
+    } else {
+      k = is_point(s) ? field::key(field::kPoint, field::key(ax, ay))
+                      : field::key(field::kVertical, ax);
+    }
+    if (d != 0) inverse = field::multiply(inverse, d);
+  }
+}
+
+/// The same key, or that of numbers without residue, where a multiple of the prime is in the way.
+template <class C>
+std::uint64_t ExactLines<C>::key_of_rationals(LineId s) const {
+  mpz_class weight = 1;
+  if constexpr (kWeighted) weight = lines_[s][4];
+  const Rational ax = quotient_of(to_mpz(Difference(lines_[s][0])), weight);
+  const Rational ay = quotient_of(to_mpz(Difference(lines_[s][1])), weight);
+  if (is_point(s)) return field::key(field::kPoint, field::key(residue(ax), residue(ay)));
+  if (dx(s) == 0) return field::key(field::kVertical, residue(ax));
+  const Rational slope = quotient_of(to_mpz(dy(s)), to_mpz(dx(s)));
+  return field::key(residue(slope), residue(Rational(ay - slope * ax)));
+}
+
+template <class C>
+auto ExactLines<C>::fraction(LineId s, LineId o) const -> std::pair<Product, Product> {
+  const Product from = cross(o, first_end(s)), to = cross(o, last_end(s));
+  return from > to ? std::pair<Product, Product>(from, from - to)
+                   : std::pair<Product, Product>(-from, to - from);
+}
+
+template <class C>
+double ExactLines<C>::parameter(LineId s, LineId o) const {
+  const auto [n, d] = fraction(s, o);
+  return quotient(n, d);
+}
+
+template <class C>
+int ExactLines<C>::compare_along(LineId s, LineId o, LineId q) const {
+  const auto [n, d] = fraction(s, o);
+  const auto [m, e] = fraction(s, q);
+  return compare_products(n, e, m, d);
+}
+
+// The orientation of c's ends and a point of s is linear along s, so at the crossing it has the
+// sign of (1 - n/d) A + n/d B with its values A, B at the ends of s.
+template <class C>
+int ExactLines<C>::side_of_crossing(LineId c, LineId s, LineId o) const {
+  const auto [n, d] = fraction(s, o);
+  return compare_products(cross(c, first_end(s)), Product(d - n), Product(-cross(c, last_end(s))),
+                          n);
+}
+
+template <class C>
+int ExactLines<C>::compare_x(LineId s, LineId o, EndId end) const {
+  const auto [n, d] = fraction(s, o);
+  return compare_products(n, weighted_product(dx(s), line_of(end)), d, Product(from_x(s, end)));
+}
+
+// Height of s at the end's x: (ay + dy (x - ax) / dx) / weight = h / (weight dx), where h = dx ay +
+// dy (x - ax), times the weight of the end, which both heights have.
+template <class C>
+int ExactLines<C>::compare_heights(LineId s, LineId o, EndId end) const {
+  const auto height = [&](LineId line) {
+    return Product(product(dx(line), weighted(lines_[line][1], end)) +
+                   product(dy(line), from_x(line, end)));
+  };
+  const int by_height = compare_products(height(s), weighted_product(dx(o), o), height(o),
+                                         weighted_product(dx(s), s));
+  return by_height != 0 ? by_height : -compare_directions(s, o);
+}
+
+template <class C>
+Point ExactLines<C>::point(EndId end) const {
+  mpz_class divisor = frame_.scale;
+  if constexpr (kWeighted) divisor *= lines_[line_of(end)][4];
+  return {quotient_of(to_mpz(Difference(x(end))) + frame_.x, divisor),
+          quotient_of(to_mpz(Difference(y(end))) + frame_.y, divisor)};
+}
+
+template <class C>
+Point ExactLines<C>::crossing(LineId s, LineId o) const {
+  const auto [n, d] = fraction(s, o);
+  const mpz_class numerator = to_mpz(n), denominator = to_mpz(d);
+  mpz_class divisor = denominator * frame_.scale;
+  if constexpr (kWeighted) divisor *= lines_[s][4];
+  const auto at = [&](const C& from, const Difference& difference, const mpz_class& middle) {
+    return quotient_of(
+        (to_mpz(Difference(from)) + middle) * denominator + to_mpz(difference) * numerator,
+        divisor);
+  };
+  return {at(lines_[s][0], dx(s), frame_.x), at(lines_[s][1], dy(s), frame_.y)};
+}
+
+template class ExactLines<std::int32_t>;
+template class ExactLines<Int128>;
+template class ExactLines<mpz_class>;
+
+}  // namespace plumbline::bucket
