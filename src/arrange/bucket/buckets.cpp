@@ -7,36 +7,6 @@
 #include "arrange/bucket/split.hpp"
 
 namespace plumbline::bucket {
-namespace {
-
-/// The x coordinates that a line takes at heights within a range, widened by the margin.
-class Band {
- public:
-  Band(const Approx& l, double margin)
-      : l_(l),
-        margin_(margin),
-        bottom_(std::min(l.ay, l.by)),
-        top_(std::max(l.ay, l.by)),
-        slope_((l.bx - l.ax) / (l.by - l.ay)) {}
-
-  std::pair<double, double> between(double low, double high) const {
-    // All but level: a slope that is no number.
-    if (!(bottom_ < top_) || !std::isfinite(slope_)) return {l_.ax - margin_, l_.bx + margin_};
-    double x0 = at(low - margin_), x1 = at(high + margin_);
-    if (x1 < x0) std::swap(x0, x1);
-    // A steep slope magnifies rounding; the line has no other x.
-    return {std::clamp(x0, l_.ax, l_.bx) - margin_, std::clamp(x1, l_.ax, l_.bx) + margin_};
-  }
-
- private:
-  double at(double y) const { return l_.ax + (std::clamp(y, bottom_, top_) - l_.ay) * slope_; }
-
-  const Approx& l_;
-  double margin_, bottom_, top_, slope_;
-};
-
-}  // namespace
-
 std::size_t Buckets::part_at(std::uint32_t node, double x, double y) const {
   while (!nodes_[node].is_bucket()) node = nodes_[node].low + (nodes_[node].is_high(x, y) ? 1 : 0);
   return nodes_[node].low;
@@ -72,24 +42,6 @@ void Buckets::choose_grid(std::span<const Approx> lines) {
   row_height_ = height > 0 ? height / static_cast<double>(rows_) : 1;
   per_width_ = 1 / column_width_;
   per_height_ = 1 / row_height_;
-}
-
-template <class Visit>
-void Buckets::for_cells(const Approx& line, Visit visit) const {
-  const auto [bottom, top] = std::minmax(line.ay, line.by);
-  const double margin = margin_(line);
-  const std::size_t first = row(bottom - margin), last = row(top + margin);
-  const Band band(line, margin);
-  for (std::size_t r = first; r <= last; ++r) {
-    // The outer rows go on.
-    const double row_bottom = extent_.y0 + static_cast<double>(r) * row_height_;
-    const double low = r == 0 ? -INFINITY : row_bottom;
-    const double high = r + 1 == rows_ ? INFINITY : row_bottom + row_height_;
-    const auto [x0, x1] =
-        first == last ? std::pair(line.ax - margin, line.bx + margin) : band.between(low, high);
-    const std::size_t end = column(x1);
-    for (std::size_t c = column(x0); c <= end; ++c) visit(r * columns_ + c);
-  }
 }
 
 Buckets::Buckets(std::span<const Approx> lines, double parameter_error, Job& job)

@@ -15,6 +15,32 @@ namespace plumbline::bucket {
 
 struct Split;
 
+/// The x coordinates that a line takes at heights within a range, widened by the margin.
+class Band {
+ public:
+  Band(const Approx& l, double margin)
+      : l_(l),
+        margin_(margin),
+        bottom_(std::min(l.ay, l.by)),
+        top_(std::max(l.ay, l.by)),
+        slope_((l.bx - l.ax) / (l.by - l.ay)) {}
+
+  std::pair<double, double> between(double low, double high) const {
+    // All but level: a slope that is no number.
+    if (!(bottom_ < top_) || !std::isfinite(slope_)) return {l_.ax - margin_, l_.bx + margin_};
+    double x0 = at(low - margin_), x1 = at(high + margin_);
+    if (x1 < x0) std::swap(x0, x1);
+    // A steep slope magnifies rounding; the line has no other x.
+    return {std::clamp(x0, l_.ax, l_.bx) - margin_, std::clamp(x1, l_.ax, l_.bx) + margin_};
+  }
+
+ private:
+  double at(double y) const { return l_.ax + (std::clamp(y, bottom_, top_) - l_.ay) * slope_; }
+
+  const Approx& l_;
+  double margin_, bottom_, top_, slope_;
+};
+
 /// The plane divided into parts ("buckets"), each with the lines that cross it: a uniform grid
 /// whose full cells are split further at the centroid, along x, y or across the lines' common
 /// direction (the idea of LAR's buckets: inters, 2.1). Every point belongs to one bucket. A bucket
@@ -62,6 +88,10 @@ class Buckets {
     }
   }
 
+  /// Calls visit(bucket) for the buckets that a line comes near.
+  template <class Visit>
+  void for_near(const Approx& line, Visit visit) const;
+
  private:
   /// A cell or part of one: a bucket, or a pair of nodes on both sides of a straight line.
   struct Node {
@@ -108,6 +138,8 @@ class Buckets {
   void choose_grid(std::span<const Approx> lines);
   template <class Visit>
   void for_cells(const Approx& line, Visit visit) const;
+  template <class Visit>
+  void along(std::uint32_t node, const Approx& line, double slack, Visit& visit) const;
   void fill(std::span<const Approx> lines, Job& job);
   void split_full_cells(std::span<const Approx> lines, Job& job);
   void settle(Open& open, Split& split, std::vector<Open>& next);
@@ -123,6 +155,49 @@ class Buckets {
   std::vector<Box> part_boxes_;
   std::vector<std::uint8_t> part_is_box_;
 };
+
+template <class Visit>
+void Buckets::for_cells(const Approx& line, Visit visit) const {
+  const auto [bottom, top] = std::minmax(line.ay, line.by);
+  const double margin = margin_(line);
+  const std::size_t first = row(bottom - margin), last = row(top + margin);
+  const Band band(line, margin);
+  for (std::size_t r = first; r <= last; ++r) {
+    // The outer rows go on.
+    const double row_bottom = extent_.y0 + static_cast<double>(r) * row_height_;
+    const double low = r == 0 ? -INFINITY : row_bottom;
+    const double high = r + 1 == rows_ ? INFINITY : row_bottom + row_height_;
+    const auto [x0, x1] =
+        first == last ? std::pair(line.ax - margin, line.bx + margin) : band.between(low, high);
+    const std::size_t end = column(x1);
+    for (std::size_t c = column(x0); c <= end; ++c) visit(r * columns_ + c);
+  }
+}
+
+template <class Visit>
+void Buckets::along(std::uint32_t node, const Approx& line, double slack, Visit& visit) const {
+  const Node& n = nodes_[node];
+  if (n.is_bucket()) {
+    visit(n.low);
+    return;
+  }
+  const auto [low, high] =
+      std::minmax({n.x * line.ax + n.y * line.ay, n.x * line.bx + n.y * line.by});
+  if (low - slack <= n.at) along(n.low, line, slack, visit);
+  if (high + slack >= n.at) along(n.low + 1, line, slack, visit);
+}
+
+template <class Visit>
+void Buckets::for_near(const Approx& line, Visit visit) const {
+  const double slack = 2 * margin_(line);
+  for_cells(line, [&](std::size_t cell) {
+    if (cell_node_[cell] == kNone) {
+      visit(cell);
+    } else {
+      along(cell_node_[cell], line, slack, visit);
+    }
+  });
+}
 
 /// Tells whether points are in a bucket; the same as `bucket_at`, but faster away from its border.
 class Membership {

@@ -24,10 +24,12 @@ template <class Kernel>
 class OrderOnLine {
  public:
   OrderOnLine(const Kernel& kernel, const std::vector<Crossing>& crossings)
-      : kernel_(kernel), crossings_(crossings) {}
+      : kernel_(kernel),
+        crossings_(crossings),
+        first_crossing_(static_cast<MeetingId>(2 * kernel.size())) {}
 
-  bool is_end(MeetingId m) const { return m < 2 * kernel_.size(); }
-  const Crossing& crossing(MeetingId m) const { return crossings_[m - 2 * kernel_.size()]; }
+  bool is_end(MeetingId m) const { return m < first_crossing_; }
+  const Crossing& crossing(MeetingId m) const { return crossings_[m - first_crossing_]; }
   /// A line that cuts s in meeting m, a crossing that s goes through.
   LineId cutter(LineId s, MeetingId m) const {
     const Crossing& c = crossing(m);
@@ -39,6 +41,10 @@ class OrderOnLine {
   /// Order of two meetings along s.
   int compare(LineId s, MeetingId m, MeetingId n) const {
     return m == n ? 0 : compare_places(kernel_, s, place(s, m), place(s, n));
+  }
+  /// Order of a meeting on s and another place on it.
+  int compare(LineId s, MeetingId m, const Place& p) const {
+    return compare_places(kernel_, s, place(s, m), p);
   }
 
   /// Order of the x coordinates of a meeting on s and an end.
@@ -53,6 +59,7 @@ class OrderOnLine {
 
   const Kernel& kernel_;
   const std::vector<Crossing>& crossings_;
+  MeetingId first_crossing_;
 };
 
 /// A meeting on a line, strictly between its ends.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "arrange/bucket/meet.hpp"
+#include "arrange/bucket/paths.hpp"
 
 namespace plumbline::bucket {
 namespace {
@@ -48,10 +49,7 @@ Result arrange_lines(Kernel kernel, Job& job) {
   job.begin_step(0.15);
   std::vector<Component> components =
       find_components(kernel, connected, result.chains, halfedges, result.cycles);
-  const Rays<Kernel> rays(kernel, approx, buckets, result.chains, result.crossings);
-  job.for_blocks(components.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) components[c].below = rays.below(components[c].least);
-  });
+  look_before(kernel, approx, buckets, result.chains, halfedges, result.crossings, components, job);
   result.faces = make_faces(result.cycles, components);
   result.component_count = components.size();
   result.edge_line = std::move(halfedges.edge_line);

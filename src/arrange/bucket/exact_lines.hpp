@@ -79,6 +79,8 @@ class ExactLines {
   const Line& operator[](LineId s) const { return lines_[s]; }
   /// Adds the line from one end to another, which lies on it or is the same point.
   LineId join(EndId a, EndId b);
+  /// Takes back the last ones that were joined.
+  void resize(std::size_t size) { lines_.resize(size); }
   /// The lines in another order, without those left out.
   void reorder(const std::vector<LineId>& order, Job& job);
   bool is_point(LineId s) const {

@@ -3,8 +3,8 @@
 namespace plumbline::bucket {
 namespace {
 
-/// The face around each component. What is just below a component is the outer boundary of a face,
-/// or a hole: then both lie in the same face. Components below lie further left or lower, so this
+/// The face around each component. What is just before a component is the outer boundary of a face,
+/// or a hole: then both lie in the same face. Components before it have lesser vertices, so this
 /// ends.
 class Surroundings {
  public:
@@ -26,10 +26,10 @@ class Surroundings {
     FaceId face = face_[component];
     while (!face.valid()) {
       path.push_back(component);
-      const HalfedgeId below = components_[component].below;
-      if (!below.valid()) {
+      const HalfedgeId before = components_[component].before;
+      if (!before.valid()) {
         face = kUnbounded;
-      } else if (const CycleId cycle = cycles_.of_halfedge[below];
+      } else if (const CycleId cycle = cycles_.of_halfedge[before];
                  component_of_hole_[cycle] == kNone) {
         face = faces_.of_cycle[cycle];
       } else {

@@ -134,6 +134,11 @@ LineId FilteredKernel::join(EndId a, EndId b) {
   return std::visit([&](auto& exact) { return exact.join(a, b); }, exact_);
 }
 
+void FilteredKernel::resize(std::size_t size) {
+  approx_.resize(size);
+  std::visit([&](auto& exact) { exact.resize(size); }, exact_);
+}
+
 void FilteredKernel::reorder(const std::vector<LineId>& order, Job& job) {
   std::vector<Approx> approx(order.size());
   job.for_each(order.size(), [&](std::size_t i) { approx[i] = approx_[order[i]]; });

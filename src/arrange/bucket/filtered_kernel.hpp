@@ -26,6 +26,7 @@ class FilteredKernel {
 
   std::size_t size() const { return approx_.size(); }
   LineId join(EndId a, EndId b);
+  void resize(std::size_t size);
   void reorder(const std::vector<LineId>& order, Job& job);
   bool is_point(LineId s) const {
     const Approx& l = approx_[s];

@@ -1,7 +1,6 @@
 #pragma once
 
-// Step 8: connected components, and the face around each, found by a ray downwards from its least
-// vertex.
+// Step 8: connected components, and a ray downwards from the least vertex of one to what is below.
 
 #include <algorithm>
 #include <vector>
@@ -16,8 +15,9 @@ struct Component {
   EndId least;  ///< an end at its lexicographically least vertex
   std::uint32_t vertex;
   CycleId hole;  ///< the cycle around it; none for an isolated vertex
-  HalfedgeId
-      below;  ///< the one just below its least vertex, running rightwards; none if nothing is
+  /// One that has the component, unless it is in a hole of that face, on its left, and that belongs
+  /// to a component with a lesser vertex; none in the unbounded face.
+  HalfedgeId before;
 };
 
 /// Connected components of the lines.
@@ -43,7 +43,7 @@ inline UnionFind connect_lines(const std::vector<Crossing>& crossings,
   return sets;
 }
 
-/// The components without `below`, in the order of their first lines.
+/// The components without `before`, in the order of their first lines.
 template <class Kernel>
 std::vector<Component> find_components(const Kernel& kernel, const UnionFind& sets,
                                        const Chains& chains, const Halfedges& halfedges,
