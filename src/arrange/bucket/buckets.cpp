@@ -73,12 +73,15 @@ void Buckets::split_full_cells(std::span<const Approx> lines, Job& job) {
     if (here.size() <= kFullBucket) continue;
     cell_node_[c] = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back({});
-    level.push_back({cell_node_[c], cell_box(c), true, {here.begin(), here.end()}});
+    level.push_back({cell_node_[c], cell_box(c), true, {}});
+    for (const LineId s : here) {
+      level.back().members.push_back(clipped(s, lines, level.back().box, 2 * margin_(lines[s])));
+    }
   }
   for (int depth = 0; !level.empty(); ++depth) {
     std::vector<Split> splits(level.size());
     job.for_blocks(level.size(), 1, [&](std::size_t i, std::size_t) {
-      if (depth < kDeepest) splits[i] = split(level[i].box, level[i].members, lines, margin_);
+      if (depth < kDeepest) splits[i] = split(level[i].members, lines, margin_);
     });
     for (std::size_t i = 0; i < level.size(); ++i) settle(level[i], splits[i], next);
     level = std::exchange(next, {});
@@ -90,7 +93,7 @@ void Buckets::settle(Open& open, Split& split, std::vector<Open>& next) {
     nodes_[open.node] = {0, 0, 0, static_cast<std::uint32_t>(size())};
     part_boxes_.push_back(open.box);
     part_is_box_.push_back(open.is_box ? 1 : 0);
-    parts_.items.insert(parts_.items.end(), open.members.begin(), open.members.end());
+    for (const Piece& piece : open.members) parts_.items.push_back(piece.line);
     parts_.begin.push_back(static_cast<std::uint32_t>(parts_.items.size()));
     return;
   }
@@ -98,8 +101,11 @@ void Buckets::settle(Open& open, Split& split, std::vector<Open>& next) {
   nodes_[open.node] = {split.normal.x, split.normal.y, split.at, child};
   nodes_.resize(nodes_.size() + 2);
   const bool is_box = open.is_box && (split.normal.x == 0 || split.normal.y == 0);
-  next.push_back({child, split.low_box, is_box, std::move(split.low)});
-  next.push_back({child + 1, split.high_box, is_box, std::move(split.high)});
+  Box low = open.box, high = open.box;
+  if (split.normal.y == 0) low.x1 = high.x0 = split.at;
+  if (split.normal.x == 0) low.y1 = high.y0 = split.at;
+  next.push_back({child, low, is_box, std::move(split.low)});
+  next.push_back({child + 1, high, is_box, std::move(split.high)});
 }
 
 }  // namespace plumbline::bucket

@@ -13,6 +13,7 @@
 
 namespace plumbline::bucket {
 
+struct Piece;
 struct Split;
 
 /// The x coordinates that a line takes at heights within a range, widened by the margin.
@@ -107,7 +108,7 @@ class Buckets {
     std::uint32_t node;
     Box box;
     bool is_box;
-    std::vector<LineId> members;
+    std::vector<Piece> members;
   };
 
   std::size_t part_at(std::uint32_t node, double x, double y) const;

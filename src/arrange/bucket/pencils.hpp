@@ -74,11 +74,11 @@ class Pencils {
 
   /// Sorts the lines by their extent across the mean direction, inside this bucket.
   void sort_across(std::span<const LineId> lines) {
-    const PointD normal = mean_normal(lines, scene_.approx).normal;
+    const PointD normal = mean_normal(lines, scene_.approx);
     members_.reserve(lines.size());
     for (const LineId line : lines) margin_ = std::max(margin_, 2 * scene_.margin(line));
     for (const LineId line : lines) {
-      const auto [p, q] = clipped(scene_.approx[line], box_, margin_);
+      const auto [p, q] = ends_of(clipped(line, scene_.approx, box_, margin_), scene_.approx);
       const double u = normal.x * p.x + normal.y * p.y, v = normal.x * q.x + normal.y * q.y;
       const double margin = 2 * scene_.margin(line);
       members_.push_back({std::min(u, v) - margin, std::max(u, v) + margin, line, 0});
