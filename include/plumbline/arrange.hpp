@@ -33,9 +33,9 @@ struct ArrangeOptions {
 /// canonical one. Halfedge 2 e runs along edge e, whose tail is lexicographically first.
 /// Cost: O((n + K) log n) expected for n segments with K crossings, where segments are spread or
 /// bundled so that a bucket can tell them apart; a peak of about 100 bytes per edge, of which half
-/// stays. More: each component is placed by a ray down to what lies below it, through all cells on
-/// the way, so very many tiny components far apart cost O(n sqrt n); features smaller than 2^-48 of
-/// the extent (2^-27 with coordinates on no common grid of 60 bits) are compared pair by pair.
+/// stays. Numbers of any kind cost about the same: doubles decide what they can, and integers the
+/// rest, of 30 or 124 bits where there is a common grid. More: features smaller than 2^-38 of the
+/// lines they are made of, or 2^-46 of their distance from the middle, are compared pair by pair.
 class Arrangement {
  public:
   /// Throws: Error Limit for a coordinate beyond kMaxCoordinateBits and for 2^31 or more ends and
