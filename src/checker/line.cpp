@@ -10,10 +10,10 @@ namespace plumbline_checker {
 namespace {
 
 double near_integer(const mpz_class& z) {
-  constexpr long kMaxExponent = 500;
+  constexpr long kLargestExponent = 500;
   long exponent = 0;
   const double leading = leading_part(z, exponent);
-  if (exponent > kMaxExponent) return std::numeric_limits<double>::quiet_NaN();
+  if (exponent > kLargestExponent) return std::numeric_limits<double>::quiet_NaN();
   return std::ldexp(leading, static_cast<int>(exponent));
 }
 

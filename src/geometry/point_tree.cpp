@@ -8,22 +8,6 @@
 namespace plumbline {
 namespace {
 
-/// The points as nanoflann wants to see them.
-struct Cloud {
-  std::span<const PointD> points;
-
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return axis == 0 ? points[i].x : points[i].y;
-  }
-  template <class BoundingBox>
-  bool kdtree_get_bbox(BoundingBox&) const {
-    return false;
-  }
-};
-using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t>;
-using KdTree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, 2, std::uint32_t>;
-
 /// What a search within a radius reports to.
 struct Visitor {
   std::span<const PointD> points;
@@ -43,6 +27,22 @@ struct Visitor {
 }  // namespace
 
 struct PointTree::Tree {
+  /// The points as nanoflann wants to see them.
+  struct Cloud {
+    std::span<const PointD> points;
+
+    std::size_t kdtree_get_point_count() const { return points.size(); }
+    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+      return axis == 0 ? points[i].x : points[i].y;
+    }
+    template <class BoundingBox>
+    bool kdtree_get_bbox(BoundingBox&) const {
+      return false;
+    }
+  };
+  using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t>;
+  using KdTree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, 2, std::uint32_t>;
+
   explicit Tree(std::span<const PointD> points) : cloud{points}, index(2, cloud) {}
   Cloud cloud;
   KdTree index;

@@ -162,9 +162,9 @@ class ShapeReader {
 
   Pieces not_empty(Pieces pieces, const char* name) const {
     if (!pieces.segments.empty() || !pieces.refused.empty()) return pieces;
-    constexpr std::size_t kKeptText = 100;
+    constexpr std::size_t kShown = 100;
     const std::string_view data = element_.attribute(name).value();
-    throw Unusable{"draws nothing", quoted(name, data.substr(0, kKeptText))};
+    throw Unusable{"draws nothing", quoted(name, data.substr(0, kShown))};
   }
 
   const pugi::xml_node& element_;
