@@ -22,11 +22,8 @@ std::string counts(const Arrangement& a) {
 /// Canonical vertex of each vertex, by its exact point.
 std::vector<VertexId> canonical_vertices(const Arrangement& a, const ExactComplex& complex) {
   std::vector<VertexId> result;
-  for (std::size_t v = 0; v < a.vertex_count(); ++v) {
-    const auto at =
-        std::lower_bound(complex.vertices.begin(), complex.vertices.end(), a.point(VertexId(v)));
-    result.emplace_back(static_cast<std::size_t>(at - complex.vertices.begin()));
-  }
+  for (std::size_t v = 0; v < a.vertex_count(); ++v)
+    result.emplace_back(complex.vertices.count_before(a.point(VertexId(v))));
   return result;
 }
 

@@ -159,7 +159,8 @@ TEST_CASE("far from the origin, a drawing is arranged as near it") {
     }
     for (const Point& p : near.points) far.add_point({p.x + d, p.y - d}, source);
     ExactComplex moved = arrange(far);
-    for (Point& p : moved.vertices) p = {p.x - d, p.y + d};
+    for (std::size_t v = 0; v < moved.vertices.size(); ++v)
+      moved.vertices.replace(v, {moved.vertices[v].x - d, moved.vertices[v].y + d});
     CHECK(moved == arrange(near));
   }
   CHECK(kernel_of("10000000000000000000 5 10000000000000000001 6") == "narrow");

@@ -69,7 +69,7 @@ TEST_CASE("with a copy far away everything is there twice, in one unbounded face
 TEST_CASE("every relation holds for a right complex and fails for one with a vertex elsewhere") {
   const ExactComplex right = arrange(kDrawing);
   ExactComplex wrong = right;
-  wrong.vertices[0] = {2, 3};  // across a side of the triangle
+  wrong.vertices.replace(0, {2, 3});  // across a side of the triangle
   for (const Relation relation : kRelations) {
     CAPTURE(to_text(relation));
     for (std::uint64_t seed = 0; seed < 20; ++seed) CHECK(holds(relation, kDrawing, right, seed));

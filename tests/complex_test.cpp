@@ -162,16 +162,16 @@ TEST_CASE("validate finds a cycle that runs the wrong way") {
 
 TEST_CASE("validate finds crossing edges and a vertex on an edge") {
   ExactComplex c = arrange(segments("0 0 4 0  0 1 4 1"));
-  c.vertices[1] = Point{0, -1};
+  c.vertices.replace(1, {0, -1});
   CHECK(invariants(canonical(c)) == "crossing");
   c = arrange(segments("0 0 4 0  1 1 1 3"));
-  c.vertices[1] = Point{1, 0};
+  c.vertices.replace(1, {1, 0});
   CHECK(invariants(canonical(c)) == "vertex on edge");
 }
 
 TEST_CASE("validate finds equal vertices and equal edges") {
   ExactComplex c = arrange(segments("0 0 1 0  2 0 3 0"));
-  c.vertices[2] = c.vertices[1];
+  c.vertices.replace(2, c.vertices[1]);
   CHECK(invariants(canonical(c)) == "duplicate vertex");
   c = arrange(segments("0 0 1 0  1 0 1 1  0 0 0 1  0 1 1 1"));
   c.edges[3] = c.edges[0];

@@ -33,15 +33,15 @@ std::string in_the_plane(const ExactComplex& complex) {
 TEST_CASE("orientation is decided exactly, also where doubles cannot tell") {
   // Points of one line, moved off it by less than a double shows.
   const Rational off(1, mpz_class(1) << 200);
-  const std::vector<Point> points{{Rational(1, 3), Rational(1, 7)},
-                                  {Rational(4, 3), Rational(8, 7)},
-                                  {Rational(7, 3), Rational(15, 7)},
-                                  {Rational(7, 3), Rational(15, 7) + off},
-                                  {Rational(7, 3), Rational(15, 7) - off},
-                                  {Rational(7, 3) + off, Rational(15, 7)},
-                                  {rational_from(std::numeric_limits<double>::max()) * 2, 0},
-                                  {rational_from(std::numeric_limits<double>::denorm_min()) / 2, 0},
-                                  {0, 0}};
+  const PointList points{{Rational(1, 3), Rational(1, 7)},
+                         {Rational(4, 3), Rational(8, 7)},
+                         {Rational(7, 3), Rational(15, 7)},
+                         {Rational(7, 3), Rational(15, 7) + off},
+                         {Rational(7, 3), Rational(15, 7) - off},
+                         {Rational(7, 3) + off, Rational(15, 7)},
+                         {rational_from(std::numeric_limits<double>::max()) * 2, 0},
+                         {rational_from(std::numeric_limits<double>::denorm_min()) / 2, 0},
+                         {0, 0}};
   const FilteredPoints filtered(points);
   CHECK(filtered.orientation(0, 1, 2) == 0);
   CHECK(filtered.orientation(0, 1, 3) == 1);
@@ -62,7 +62,7 @@ TEST_CASE("orientation of points a few roundings off a line is that of exact ari
     const PointD a{unit(random), unit(random)}, b{unit(random), unit(random)};
     const double t = unit(random);
     const PointD c{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-    const std::vector<Point> points{exact(a), exact(b), exact(c)};
+    const PointList points{exact(a), exact(b), exact(c)};
     const int expected = orientation(points[0], points[1], points[2]);
     CHECK(FilteredPoints(points).orientation(0, 1, 2) == expected);
     in_doubt += expected == 0;
@@ -90,21 +90,27 @@ TEST_CASE("the sweep refuses just what breaks an invariant in the plane") {
     const std::size_t v = below(c.vertices.size()), w = below(c.vertices.size());
     switch (round % 7) {
       case 0:  // a vertex elsewhere
-        c.vertices[v] = {c.vertices[v].x, c.vertices[w].y};
+        c.vertices.replace(v, {c.vertices[v].x, c.vertices[w].y});
         break;
-      case 1:  // a vertex a little elsewhere
-        c.vertices[v].x += (c.vertices[w].x - c.vertices[v].x) / 64;
+      case 1: {  // a vertex a little elsewhere
+        const Point p = c.vertices[v];
+        c.vertices.replace(v, {p.x + (c.vertices[w].x - p.x) / 64, p.y});
         break;
-      case 2:  // two vertices in each other's place
-        std::swap(c.vertices[v], c.vertices[w]);
+      }
+      case 2: {  // two vertices in each other's place
+        const Point p = c.vertices[v], q = c.vertices[w];
+        c.vertices.replace(v, q);
+        c.vertices.replace(w, p);
         break;
+      }
       case 3:  // all mirrored
-        for (Point& p : c.vertices) p.x = -p.x;
+        for (std::size_t i = 0; i < c.vertices.size(); ++i)
+          c.vertices.replace(i, {-c.vertices[i].x, c.vertices[i].y});
         break;
       case 4: {  // onto an edge
         const Edge e = c.edges[below(c.edge_count())];
         const Point &a = c.vertices[e.tail], &b = c.vertices[e.head];
-        c.vertices[v] = {(a.x + b.x) / 2, (a.y + b.y) / 2};
+        c.vertices.replace(v, {(a.x + b.x) / 2, (a.y + b.y) / 2});
         break;
       }
       case 5: {  // a hole and an isolated vertex in other faces

@@ -85,7 +85,10 @@ std::set<std::pair<Point, Point>> snapped_edges(const ExactComplex& c, const Rat
 
 /// The complex with simply rounded vertices, its incidences as they are.
 ExactComplex simply_rounded(ExactComplex c, const Grid& grid, const Rational& spacing) {
-  for (Point& p : c.vertices) p = grid.decimals ? nearest_point(p, spacing) : exact(nearest(p));
+  for (std::size_t v = 0; v < c.vertices.size(); ++v) {
+    const Point p = c.vertices[v];
+    c.vertices.replace(v, grid.decimals ? nearest_point(p, spacing) : exact(nearest(p)));
+  }
   return canonical(std::move(c));
 }
 

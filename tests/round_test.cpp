@@ -234,10 +234,15 @@ TEST_CASE("a verification refuses a rounding that breaks a guarantee") {
     change(wrong);
     CHECK_THROWS_WITH(ensure_rounded(c, grid, wrong), Catch::Contains(reason));
   };
+  const auto is_at = [&](std::size_t v, const Point& p) {
+    return [v, p](Rounding& r) { r.complex.vertices.replace(v, p); };
+  };
+  const PointList& places = right.complex.vertices;
+  const std::size_t last = places.size() - 1;
   ensure_rounded(c, grid, right);
-  refused([](Rounding& r) { r.complex.vertices[0].y = Rational(1, 10); }, "not on the grid");
-  refused([](Rounding& r) { r.complex.vertices.back().y = 1; }, "moved too far");
-  refused([](Rounding& r) { r.complex.vertices[0].x = 6; }, "");
+  refused(is_at(0, {places[0].x, Rational(1, 10)}), "not on the grid");
+  refused(is_at(last, {places[last].x, 1}), "moved too far");
+  refused(is_at(0, {6, places[0].y}), "");
   refused([](Rounding& r) { std::swap(r.vertex_image[0], r.vertex_image[1]); }, "moved too far");
   refused([](Rounding& r) { r.edge_image = {}; }, "edges are missing");
   refused([](Rounding& r) { std::swap(r.spacing, r.spacing = Rational(1, 100)); }, "too far");

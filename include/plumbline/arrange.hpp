@@ -68,8 +68,9 @@ class Arrangement {
   /// Coordinates of a vertex, correctly **rounded** to the nearest doubles. Cost: as `point`.
   PointD nearest(VertexId v) const;
 
-  /// The same as an exact complex in canonical order. Cost: some microseconds a vertex, for exact
-  /// coordinates and their order; the progress callback is not told of it.
+  /// The same as an exact complex in canonical order. Cost: O(n log n); a third of a microsecond a
+  /// vertex where coordinates are decimals of some 11 digits, some microseconds for other rationals;
+  /// the progress callback is not told of it.
   ExactComplex complex() const;
 
  private:

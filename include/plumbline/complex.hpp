@@ -8,6 +8,7 @@
 #include "plumbline/detail/lists.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/geometry.hpp"
+#include "plumbline/geometry/point_list.hpp"
 
 namespace plumbline {
 
@@ -75,15 +76,15 @@ struct Incidences {
 };
 
 /// A 2D cellular complex: points and incidences.
-template <class P>
+template <class Points>
 struct CellComplex : Incidences {
-  std::vector<P> vertices;
+  Points vertices;
 
   friend bool operator==(const CellComplex&, const CellComplex&) = default;
 };
 
-using ExactComplex = CellComplex<Point>;
-using FloatComplex = CellComplex<PointD>;
+using ExactComplex = CellComplex<PointList>;
+using FloatComplex = CellComplex<std::vector<PointD>>;
 
 /// The same complex in canonical order, with the derived members filled in: vertices by (x, y);
 /// edges by (tail, head), tail first; cycles start at their least halfedge and are sorted by it;

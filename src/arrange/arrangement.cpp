@@ -15,6 +15,14 @@ namespace plumbline {
 
 struct Arrangement::Implementation : bucket::Result {
   std::size_t threads = 1;
+
+  /// Calls visit(segment) for the input segments that cover edge e.
+  template <class Visit>
+  void for_sources(EdgeId e, Visit visit) const {
+    const bucket::LineId line = edge_line[e];
+    const std::size_t position = static_cast<std::size_t>(e) - bucket::first_edge(chains, line);
+    provenance.for_items(line, position, [&](std::uint32_t item) { visit(SegmentId(item)); });
+  }
 };
 
 namespace {
@@ -74,11 +82,7 @@ std::span<const VertexId> Arrangement::isolated_vertices(FaceId f) const {
 
 std::vector<SegmentId> Arrangement::sources(EdgeId e) const {
   std::vector<SegmentId> result;
-  const bucket::LineId line = implementation_->edge_line[e];
-  const std::size_t position =
-      static_cast<std::size_t>(e) - bucket::first_edge(implementation_->chains, line);
-  implementation_->provenance.for_items(line, position,
-                                        [&](std::uint32_t item) { result.emplace_back(item); });
+  implementation_->for_sources(e, [&](SegmentId s) { result.push_back(s); });
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -96,18 +100,59 @@ Point Arrangement::point(VertexId v) const {
 
 PointD Arrangement::nearest(VertexId v) const { return plumbline::nearest(point(v)); }
 
+namespace {
+
+/// Per vertex make(m) for the meeting that it is.
+template <class Make>
+auto at_vertices(const bucket::Result& result, bucket::Job& job, Make make) {
+  std::vector<decltype(make(bucket::MeetingId{}))> points(result.chains.meeting.size());
+  job.for_each(points.size(), [&](std::size_t v) { points[v] = make(result.chains.meeting[v]); });
+  return points;
+}
+
+/// The points of the vertices: in machine integers where that holds all of them.
+template <class Kernel>
+PointList points(const Kernel& kernel, const bucket::Result& result, bucket::Job& job) {
+  const auto of_meeting = [&](bucket::MeetingId m, auto point, auto crossing) {
+    if (m < 2 * kernel.size()) return point(m);
+    const bucket::Crossing& c = result.crossings[m - 2 * kernel.size()];
+    return crossing(c.s, c.o);
+  };
+  if constexpr (requires { kernel.has_wide_points(); }) {
+    if (kernel.has_wide_points()) {
+      return PointList(at_vertices(result, job, [&](bucket::MeetingId m) {
+        return of_meeting(
+            m, [&](auto end) { return kernel.wide_point(end); },
+            [&](auto s, auto o) { return kernel.wide_crossing(s, o); });
+      }));
+    }
+  }
+  return PointList(at_vertices(result, job, [&](bucket::MeetingId m) {
+    return of_meeting(
+        m, [&](auto end) { return kernel.point(end); },
+        [&](auto s, auto o) { return kernel.crossing(s, o); });
+  }));
+}
+
+}  // namespace
+
 ExactComplex Arrangement::complex() const {
   ExactComplex complex;
-  complex.vertices.resize(vertex_count());
   bucket::Job job(implementation_->threads, {});
-  on_threads(implementation_->threads, [&] {
-    job.for_each(vertex_count(), [&](std::size_t v) { complex.vertices[v] = point(VertexId(v)); });
+  complex.vertices = on_threads(implementation_->threads, [&] {
+    return std::visit([&](const auto& kernel) { return points(kernel, *implementation_, job); },
+                      implementation_->kernel);
   });
   complex.edges.reserve(edge_count());
+  complex.edge_sources.reserve(edge_count(), edge_count());
+  std::vector<SegmentId> covering;
   for (std::size_t e = 0; e < edge_count(); ++e) {
     complex.edges.push_back(edge(EdgeId(e)));
-    complex.edge_sources.push_back(sources(EdgeId(e)));
+    covering.clear();
+    implementation_->for_sources(EdgeId(e), [&](SegmentId s) { covering.push_back(s); });
+    complex.edge_sources.push_back(covering);
   }
+  complex.cycles.reserve(cycle_count(), 2 * edge_count());
   std::vector<HalfedgeId> walk;
   for (std::size_t c = 0; c < cycle_count(); ++c) {
     walk.clear();

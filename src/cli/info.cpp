@@ -22,11 +22,13 @@ void print_repetitions(const Drawing& drawing) {
 
 void print_extent(const ExactComplex& complex) {
   if (complex.vertices.empty()) return;
-  const auto by_y = [](const Point& p, const Point& q) { return p.y < q.y; };
-  const auto [low, high] =
-      std::minmax_element(complex.vertices.begin(), complex.vertices.end(), by_y);
+  Rational low = complex.vertices.front().y, high = low;
+  for (const Point& p : complex.vertices) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
   fmt::print("extent       x {} .. {}, y {} .. {}\n", exact_text(complex.vertices.front().x),
-             exact_text(complex.vertices.back().x), exact_text(low->y), exact_text(high->y));
+             exact_text(complex.vertices.back().x), exact_text(low), exact_text(high));
 }
 
 void print_features(const ExactComplex& complex) {

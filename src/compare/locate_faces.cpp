@@ -18,8 +18,8 @@ constexpr double kCrossingSlack = 0x1p-48;
 /// A non-horizontal edge, from its lower to its upper end.
 struct Rising {
   HalfedgeId up;
-  const Point* low;
-  const Point* high;
+  Point low;
+  Point high;
   PointD low_d, high_d;
 };
 
@@ -30,26 +30,28 @@ bool is_lower(const Point& p, double p_y, const Point& q, double q_y) {
 
 std::vector<Rising> rising_edges(const ExactComplex& complex) {
   std::vector<PointD> rounded;
-  for (const Point& p : complex.vertices) rounded.push_back(nearest(p));
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+    rounded.push_back(complex.vertices.nearest(v));
   std::vector<Rising> result;
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     auto [low, high] = complex.edges[e];
-    if (is_lower(complex.vertices[high], rounded[high].y, complex.vertices[low], rounded[low].y))
+    Point p = complex.vertices[low], q = complex.vertices[high];
+    if (p.y == q.y) continue;
+    if (is_lower(q, rounded[high].y, p, rounded[low].y)) {
       std::swap(low, high);
-    if (complex.vertices[low].y == complex.vertices[high].y) continue;
-    result.push_back({halfedge(EdgeId(e), low != complex.edges[e].tail), &complex.vertices[low],
-                      &complex.vertices[high], rounded[low], rounded[high]});
+      std::swap(p, q);
+    }
+    result.push_back({halfedge(EdgeId(e), low != complex.edges[e].tail), std::move(p), std::move(q),
+                      rounded[low], rounded[high]});
   }
   std::stable_sort(result.begin(), result.end(), [](const Rising& a, const Rising& b) {
-    return is_lower(*a.low, a.low_d.y, *b.low, b.low_d.y);
+    return is_lower(a.low, a.low_d.y, b.low, b.low_d.y);
   });
   return result;
 }
 
-Rational slope(const Rising& e) { return (e.high->x - e.low->x) / (e.high->y - e.low->y); }
-Rational crossing(const Rising& e, const Rational& y) {
-  return e.low->x + (y - e.low->y) * slope(e);
-}
+Rational slope(const Rising& e) { return (e.high.x - e.low.x) / (e.high.y - e.low.y); }
+Rational crossing(const Rising& e, const Rational& y) { return e.low.x + (y - e.low.y) * slope(e); }
 
 /// Where the line at height y meets the edge, certainly between `low` and `high`.
 struct Interval {
@@ -92,10 +94,10 @@ class Sweep {
  private:
   /// Keeps the edges that reach above the height of p but do not begin above it.
   void advance(const Point& p, double p_y) {
-    while (next_ < edges_.size() && !is_lower(p, p_y, *edges_[next_].low, edges_[next_].low_d.y))
+    while (next_ < edges_.size() && !is_lower(p, p_y, edges_[next_].low, edges_[next_].low_d.y))
       active_.push_back(next_++);
     std::erase_if(active_, [&](std::size_t i) {
-      return !is_lower(p, p_y, *edges_[i].high, edges_[i].high_d.y);
+      return !is_lower(p, p_y, edges_[i].high, edges_[i].high_d.y);
     });
   }
   static bool is_right_of(const Rising& e, const Point& p) {
@@ -116,11 +118,11 @@ class Sweep {
 
 double magnitude_of(const ExactComplex& complex, const std::vector<Point>& points) {
   double result = 0;
-  for (const auto* list : {&complex.vertices, &points})
-    for (const Point& p : *list) {
-      const PointD rounded = nearest(p);
-      result = std::max({result, std::abs(rounded.x), std::abs(rounded.y)});
-    }
+  const auto add = [&](const PointD& p) {
+    result = std::max({result, std::abs(p.x), std::abs(p.y)});
+  };
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) add(complex.vertices.nearest(v));
+  for (const Point& p : points) add(nearest(p));
   return result;
 }
 

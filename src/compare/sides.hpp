@@ -29,7 +29,7 @@ struct Sides {
   Rational squared_tolerance;
 
   const ExactComplex& operator[](Side side) const { return *complexes[side]; }
-  const Point& point(Side side, VertexId v) const { return (*complexes[side]).vertices[v]; }
+  Point point(Side side, VertexId v) const { return (*complexes[side]).vertices[v]; }
 };
 
 /// Throws: Error BadInput for a tolerance that is negative or not finite.

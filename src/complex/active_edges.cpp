@@ -17,7 +17,7 @@ std::vector<VertexId> least_vertices(const ExactComplex& complex) {
 }
 
 ActiveEdges::ActiveEdges(const ExactComplex& complex) : c_(complex) {
-  for (const Point& p : c_.vertices) y_.push_back(nearest_double(p.y));
+  for (std::size_t v = 0; v < c_.vertices.size(); ++v) y_.push_back(c_.vertices.nearest(v).y);
 }
 
 void ActiveEdges::advance(const Rational& x) {

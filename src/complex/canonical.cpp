@@ -19,15 +19,22 @@ struct Renumbering {
   std::vector<Id> old_of_new;
 };
 
+template <class Id>
+Renumbering<Id> renumbering(std::vector<Id> old_of_new) {
+  Renumbering<Id> order{std::vector<Id>(old_of_new.size()), std::move(old_of_new)};
+  for (std::size_t i = 0; i < order.old_of_new.size(); ++i)
+    order.new_of_old[order.old_of_new[i]] = Id(i);
+  return order;
+}
+
+/// Equal ones keep their order.
 template <class Id, class Less>
 Renumbering<Id> sorted_by(std::size_t count, Less less) {
-  Renumbering<Id> order;
-  order.old_of_new.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) order.old_of_new.emplace_back(i);
-  std::stable_sort(order.old_of_new.begin(), order.old_of_new.end(), less);
-  order.new_of_old.resize(count);
-  for (std::size_t i = 0; i < count; ++i) order.new_of_old[order.old_of_new[i]] = Id(i);
-  return order;
+  std::vector<Id> ids;
+  ids.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) ids.emplace_back(i);
+  std::stable_sort(ids.begin(), ids.end(), less);
+  return renumbering(std::move(ids));
 }
 
 void ensure_indices(const Incidences& c, std::size_t vertex_count) {
@@ -54,6 +61,37 @@ void ensure_indices(const Incidences& c, std::size_t vertex_count) {
   }
 }
 
+/// Edges by (tail, head): by tail in one pass, for there are as many tails as vertices.
+Renumbering<EdgeId> sorted_edges(const std::vector<Edge>& edges, std::size_t vertex_count) {
+  std::vector<std::uint32_t> begin(vertex_count + 1);
+  for (const Edge& e : edges) ++begin[e.tail + std::size_t{1}];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<EdgeId> ids(edges.size());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (std::size_t i = 0; i < edges.size(); ++i) ids[next[edges[i].tail]++] = EdgeId(i);
+  const auto is_before = [&](EdgeId i, EdgeId j) {
+    return edges[i].head != edges[j].head ? edges[i].head < edges[j].head : i < j;
+  };
+  for (std::size_t v = 0; v < vertex_count; ++v)
+    std::sort(ids.begin() + begin[v], ids.begin() + begin[v + 1], is_before);
+  return renumbering(std::move(ids));
+}
+
+/// Each list ascending, nothing twice.
+Lists<SegmentId> sorted_sources(const Lists<SegmentId>& sources,
+                                const std::vector<EdgeId>& old_of_new) {
+  Lists<SegmentId> result;
+  result.reserve(sources.size(), sources.flat().size());
+  std::vector<SegmentId> list;
+  for (const EdgeId old : old_of_new) {
+    list.assign(sources[old].begin(), sources[old].end());
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    result.push_back(list);
+  }
+  return result;
+}
+
 /// Renumbers and sorts edges; returns the map of halfedges.
 std::vector<HalfedgeId> reorder_edges(Incidences& c, const Renumbering<VertexId>& vertices) {
   std::vector<bool> flipped(c.edges.size());
@@ -63,33 +101,24 @@ std::vector<HalfedgeId> reorder_edges(Incidences& c, const Renumbering<VertexId>
     if (flipped[i]) std::swap(e.tail, e.head);
     c.edges[i] = e;
   }
-  const auto order = sorted_by<EdgeId>(c.edges.size(), [&](EdgeId i, EdgeId j) {
-    const Edge &e = c.edges[i], &f = c.edges[j];
-    return e.tail != f.tail ? e.tail < f.tail : e.head < f.head;
-  });
+  const auto order = sorted_edges(c.edges, vertices.new_of_old.size());
   std::vector<Edge> edges;
-  Lists<SegmentId> sources;
   edges.reserve(c.edges.size());
-  for (const EdgeId old : order.old_of_new) {
-    edges.push_back(c.edges[old]);
-    std::vector<SegmentId> list(c.edge_sources[old].begin(), c.edge_sources[old].end());
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    sources.push_back(list);
-  }
+  for (const EdgeId old : order.old_of_new) edges.push_back(c.edges[old]);
   std::vector<HalfedgeId> halfedges(2 * c.edges.size());
   for (std::size_t h = 0; h < halfedges.size(); ++h) {
     const EdgeId old = edge_of(HalfedgeId(h));
     halfedges[h] = halfedge(order.new_of_old[old], is_reversed(HalfedgeId(h)) != flipped[old]);
   }
   c.edges = std::move(edges);
-  c.edge_sources = std::move(sources);
+  c.edge_sources = sorted_sources(c.edge_sources, order.old_of_new);
   return halfedges;
 }
 
 /// Renumbers cycles; each starts at its least halfedge. Returns the map of cycles.
 std::vector<CycleId> reorder_cycles(Incidences& c, const std::vector<HalfedgeId>& halfedges) {
   Lists<HalfedgeId> cycles;
+  cycles.reserve(c.cycles.size(), c.cycles.flat().size());
   std::vector<HalfedgeId> cycle;
   for (std::size_t i = 0; i < c.cycles.size(); ++i) {
     cycle.clear();
@@ -101,16 +130,23 @@ std::vector<CycleId> reorder_cycles(Incidences& c, const std::vector<HalfedgeId>
     return std::ranges::lexicographical_compare(cycles[i], cycles[j]);
   });
   c.cycles = Lists<HalfedgeId>();
+  c.cycles.reserve(cycles.size(), cycles.flat().size());
   for (const CycleId old : order.old_of_new) c.cycles.push_back(cycles[old]);
   return order.new_of_old;
 }
 
 template <class Id>
-std::vector<Id> renumbered(std::span<const Id> list, const std::vector<Id>& new_of_old) {
-  std::vector<Id> result;
-  result.reserve(list.size());
-  for (const Id id : list) result.push_back(new_of_old[id]);
-  std::sort(result.begin(), result.end());
+Lists<Id> renumbered(const Lists<Id>& lists, const std::vector<FaceId>& old_of_new,
+                     const std::vector<Id>& new_of_old) {
+  Lists<Id> result;
+  result.reserve(lists.size(), lists.flat().size());
+  std::vector<Id> list;
+  for (const FaceId old : old_of_new) {
+    list.clear();
+    for (const Id id : lists[old]) list.push_back(new_of_old[id]);
+    std::sort(list.begin(), list.end());
+    result.push_back(list);
+  }
   return result;
 }
 
@@ -122,42 +158,55 @@ void reorder_faces(Incidences& c, const std::vector<CycleId>& cycles,
     return c.face_outer[f] < c.face_outer[g];
   });
   std::vector<CycleId> outer;
-  Lists<CycleId> holes;
-  Lists<VertexId> isolated;
   outer.reserve(c.face_outer.size());
-  for (const FaceId old : order.old_of_new) {
-    outer.push_back(c.face_outer[old]);
-    holes.push_back(renumbered(c.face_holes[old], cycles));
-    isolated.push_back(renumbered(c.face_isolated_vertices[old], vertices));
-  }
+  for (const FaceId old : order.old_of_new) outer.push_back(c.face_outer[old]);
   c.face_outer = std::move(outer);
-  c.face_holes = std::move(holes);
-  c.face_isolated_vertices = std::move(isolated);
+  c.face_holes = renumbered(c.face_holes, order.old_of_new, cycles);
+  c.face_isolated_vertices = renumbered(c.face_isolated_vertices, order.old_of_new, vertices);
 }
 
-const PointD& rounded(const PointD& p) { return p; }
-PointD rounded(const Point& p) { return nearest(p); }
+PointD rounded(const std::vector<PointD>& points, std::size_t v) { return points[v]; }
+PointD rounded(const PointList& points, std::size_t v) { return points.nearest(v); }
+int compare(const std::vector<PointD>& points, std::size_t v, std::size_t w) {
+  return points[v] < points[w] ? -1 : (points[w] < points[v] ? 1 : 0);
+}
+int compare(const PointList& points, std::size_t v, std::size_t w) { return points.compare(v, w); }
 
 /// Order by (x, y). Rounding is monotone, so only what rounds to equal doubles is compared exactly.
-template <class P>
-Renumbering<VertexId> sorted_vertices(const std::vector<P>& points) {
-  std::vector<PointD> approx;
-  approx.reserve(points.size());
-  for (const P& p : points) approx.push_back(rounded(p));
-  return sorted_by<VertexId>(points.size(), [&](VertexId v, VertexId w) {
-    if (approx[v].x != approx[w].x) return approx[v].x < approx[w].x;
-    return points[v] < points[w];
+template <class Points>
+Renumbering<VertexId> sorted_vertices(const Points& points) {
+  struct Key {
+    double x;
+    VertexId v;
+  };
+  std::vector<Key> keys;
+  keys.reserve(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    keys.push_back({rounded(points, v).x, VertexId(v)});
+  std::stable_sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+    return a.x != b.x ? a.x < b.x : compare(points, a.v, b.v) < 0;
   });
+  std::vector<VertexId> ids;
+  ids.reserve(keys.size());
+  for (const Key& key : keys) ids.push_back(key.v);
+  return renumbering(std::move(ids));
 }
 
-template <class P>
-CellComplex<P> in_canonical_order(CellComplex<P> c) {
+void reorder(std::vector<PointD>& points, const std::vector<VertexId>& old_of_new) {
+  std::vector<PointD> result;
+  result.reserve(points.size());
+  for (const VertexId old : old_of_new) result.push_back(points[old]);
+  points = std::move(result);
+}
+void reorder(PointList& points, const std::vector<VertexId>& old_of_new) {
+  points.reorder(old_of_new);
+}
+
+template <class Points>
+CellComplex<Points> in_canonical_order(CellComplex<Points> c) {
   ensure_indices(c, c.vertices.size());
   const auto vertices = sorted_vertices(c.vertices);
-  std::vector<P> points;
-  points.reserve(c.vertices.size());
-  for (const VertexId old : vertices.old_of_new) points.push_back(std::move(c.vertices[old]));
-  c.vertices = std::move(points);
+  reorder(c.vertices, vertices.old_of_new);
   const std::vector<HalfedgeId> halfedges = reorder_edges(c, vertices);
   const std::vector<CycleId> cycles = reorder_cycles(c, halfedges);
   reorder_faces(c, cycles, vertices.new_of_old);

@@ -11,7 +11,8 @@ FloatComplex nearest(const ExactComplex& complex) {
   FloatComplex result;
   static_cast<Incidences&>(result) = complex;
   result.vertices.reserve(complex.vertices.size());
-  for (const Point& p : complex.vertices) result.vertices.push_back(nearest(p));
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+    result.vertices.push_back(complex.vertices.nearest(v));
   return canonical(std::move(result));
 }
 

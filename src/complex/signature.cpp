@@ -4,8 +4,10 @@
 #include <xxhash.h>
 
 #include <array>
+#include <charconv>
 #include <memory>
 
+#include "number/wide.hpp"
 #include "plumbline/complex.hpp"
 #include "plumbline/error.hpp"
 
@@ -40,11 +42,42 @@ class Hasher {
   std::unique_ptr<XXH3_state_t, Free> state_;
 };
 
+/// One line: a letter and numbers.
+class Line {
+ public:
+  explicit Line(char kind) : text_(1, kind) {}
+
+  void add(std::size_t id) {
+    std::array<char, 20> digits;
+    text_ += ' ';
+    text_.append(digits.data(), std::to_chars(digits.data(), digits.data() + 20, id).ptr);
+  }
+  void add(const PointList& points, std::size_t v) {
+    if (const WidePoint* p = points.wide(v)) {
+      for (const auto coordinate : {p->x, p->y})
+        wide::append_fraction(text_ += ' ', wide::lowest(coordinate, p->w), 16);
+    } else {
+      const Point other = points[v];
+      text_ += ' ' + other.x.get_str(16) + ' ' + other.y.get_str(16);
+    }
+  }
+  const std::string& end() { return text_ += '\n'; }
+
+ private:
+  std::string text_;
+};
+
 template <class Range>
 std::string line(char kind, const Range& ids) {
-  std::string text(1, kind);
-  for (const auto id : ids) text += ' ' + std::to_string(static_cast<std::size_t>(id));
-  return text += '\n';
+  Line text(kind);
+  for (const auto id : ids) text.add(static_cast<std::size_t>(id));
+  return text.end();
+}
+
+std::string vertex_line(const PointList& points, std::size_t v) {
+  Line text('v');
+  text.add(points, v);
+  return text.end();
 }
 
 }  // namespace
@@ -52,9 +85,8 @@ std::string line(char kind, const Range& ids) {
 std::string signature(const ExactComplex& complex) {
   Hasher hash;
   hash.add("plumbline complex 1\n");
-  for (const Point& p : complex.vertices) {
-    hash.add("v " + p.x.get_str(16) + ' ' + p.y.get_str(16) + '\n');
-  }
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+    hash.add(vertex_line(complex.vertices, v));
   for (const Edge& e : complex.edges) hash.add(line('e', std::array{e.tail, e.head}));
   for (std::size_t c = 0; c < complex.cycles.size(); ++c) hash.add(line('c', complex.cycles[c]));
   for (std::size_t f = 0; f < complex.face_count(); ++f) {

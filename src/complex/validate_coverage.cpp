@@ -6,22 +6,22 @@
 #include <utility>
 
 #include "complex/validate.hpp"
+#include "geometry/stored.hpp"
 
 namespace plumbline {
 namespace {
 
-/// Whether an edge goes straight on into the next one, decided once for each pair of them: where
-/// many segments lie on one line, they have the same pairs.
+/// Whether an edge on a line goes on along it into the next one, decided once for each pair of
+/// them: where many segments lie on one line, they have the same pairs.
 class StraightOn {
  public:
   explicit StraightOn(const ExactComplex& complex) : c_(complex), next_(complex.edge_count()) {}
 
-  bool operator()(EdgeId e, EdgeId f) {
+  /// Requires: e lies on the line through the segment.
+  bool operator()(EdgeId e, EdgeId f, std::span<const Number, 4> segment) {
     if (c_.edges[e].head != c_.edges[f].tail) return false;
     if (next_[e] == f) return true;
-    if (orientation(c_.vertices[c_.edges[e].tail], c_.vertices[c_.edges[e].head],
-                    c_.vertices[c_.edges[f].head]) != 0)
-      return false;
+    if (!is_on_line(c_.vertices, c_.edges[f].head, segment)) return false;
     next_[e] = f;
     return true;
   }
@@ -40,7 +40,8 @@ class Coverage {
     const std::vector<std::vector<EdgeId>> edges = edges_of(doubtful);
     for (const SegmentId s : doubtful) check_segment(s, edges[s]);
     for (const Point& p : input_.points) {
-      if (std::binary_search(c_.vertices.begin(), c_.vertices.end(), p)) continue;
+      const std::size_t v = c_.vertices.count_before(p);
+      if (v < c_.vertices.size() && c_.vertices[v] == p) continue;
       violations_.add({Invariant::Coverage, "an input point is no vertex", p, {}, {}, {}});
     }
     return violations_.take();
@@ -62,24 +63,35 @@ class Coverage {
           report("an edge names a segment that is not in the input", e);
           continue;
         }
-        if (last[s].valid() && !goes_straight_on(last[s], e)) is_doubtful[s] = true;
-        if (!last[s].valid() && c_.vertices[c_.edges[e].tail] != ends(s).first)
-          is_doubtful[s] = true;
+        if (is_doubtful[s]) continue;
+        const auto segment = input_.segments.numbers(s);
+        is_doubtful[s] =
+            last[s].valid() ? !goes_straight_on(last[s], e, segment) : !begins(e, segment);
         last[s] = e;
       }
     }
     std::vector<SegmentId> doubtful;
     for (std::size_t s = 0; s < count; ++s) {
-      const bool is_reached =
-          last[s].valid() && c_.vertices[c_.edges[last[s]].head] == ends(SegmentId(s)).second;
-      if (is_doubtful[s] || !is_reached) doubtful.emplace_back(s);
+      const bool is_covered =
+          last[s].valid() && !is_doubtful[s] && ends(last[s], input_.segments.numbers(s));
+      if (!is_covered) doubtful.emplace_back(s);
     }
     return doubtful;
   }
 
-  std::pair<Point, Point> ends(SegmentId s) const {
-    const Segment segment = input_.segments[s];
-    return std::minmax(segment.a, segment.b);
+  static bool runs_forward(std::span<const Number, 4> segment) {
+    return segment[0] != segment[2] ? segment[0] < segment[2] : segment[1] < segment[3];
+  }
+  /// Whether e begins at the segment's first end and runs along its line.
+  bool begins(EdgeId e, std::span<const Number, 4> segment) const {
+    const auto end = runs_forward(segment) ? segment.first<2>() : segment.last<2>();
+    return is_at(c_.vertices, c_.edges[e].tail, end[0], end[1]) &&
+           is_on_line(c_.vertices, c_.edges[e].head, segment);
+  }
+  /// Whether e ends at the segment's last end.
+  bool ends(EdgeId e, std::span<const Number, 4> segment) const {
+    const auto end = runs_forward(segment) ? segment.last<2>() : segment.first<2>();
+    return is_at(c_.vertices, c_.edges[e].head, end[0], end[1]);
   }
 
   /// Per segment its edges, of the doubtful ones only.
@@ -96,7 +108,8 @@ class Coverage {
 
   /// Says what is wrong with a doubtful one.
   void check_segment(SegmentId s, const std::vector<EdgeId>& edges) {
-    const auto [first, last] = ends(s);
+    const Segment segment = input_.segments[s];
+    const auto [first, last] = std::minmax(segment.a, segment.b);
     Point reached = first;
     for (const EdgeId e : edges) {
       const Point &tail = c_.vertices[c_.edges[e].tail], &head = c_.vertices[c_.edges[e].head];

@@ -20,7 +20,7 @@ struct Item {
 
 std::vector<Item> items(const ExactComplex& c) {
   std::vector<double> y;
-  for (const Point& p : c.vertices) y.push_back(nearest_double(p.y));
+  for (std::size_t v = 0; v < c.vertices.size(); ++v) y.push_back(c.vertices.nearest(v).y);
   std::vector<Item> list;
   for (std::size_t e = 0; e < c.edge_count(); ++e) {
     const auto [tail, head] = c.edges[e];
@@ -29,7 +29,7 @@ std::vector<Item> items(const ExactComplex& c) {
   for (const VertexId v : c.face_isolated_vertices.flat())
     list.push_back({v, v, EdgeId(), y[v], y[v]});
   std::stable_sort(list.begin(), list.end(), [&](const Item& i, const Item& j) {
-    return c.vertices[i.tail] < c.vertices[j.tail];
+    return c.vertices.compare(i.tail, j.tail) < 0;
   });
   return list;
 }
@@ -54,7 +54,9 @@ class Check {
   }
 
  private:
-  const Point& at(VertexId v) const { return c_.vertices[v]; }
+  Point at(VertexId v) const { return c_.vertices[v]; }
+
+  bool is_same(VertexId v, VertexId w) const { return c_.vertices.compare(v, w) == 0; }
 
   static bool share_vertex(const Item& i, const Item& j) {
     return i.tail == j.tail || i.tail == j.head || i.head == j.tail || i.head == j.head;
@@ -62,7 +64,7 @@ class Check {
 
   /// Whether v, of `other`, lies in the interior of item's edge; reports it.
   bool vertex_inside(VertexId v, const Item& item, const Item& other) {
-    if (!item.edge.valid() || at(v) == at(item.tail) || at(v) == at(item.head)) return false;
+    if (!item.edge.valid() || is_same(v, item.tail) || is_same(v, item.head)) return false;
     if (!on_segment(at(item.tail), at(item.head), at(v))) return false;
     report(Invariant::VertexOnEdge, "a vertex lies in the interior of an edge", at(v), {v}, item,
            other);
@@ -77,7 +79,7 @@ class Check {
   }
 
   Point crossing(const Item& i, const Item& j) const {
-    const Point &a = at(i.tail), &b = at(i.head), &p = at(j.tail), &q = at(j.head);
+    const Point a = at(i.tail), b = at(i.head), p = at(j.tail), q = at(j.head);
     const Rational det = (b.x - a.x) * (q.y - p.y) - (b.y - a.y) * (q.x - p.x);
     const Rational t = ((p.x - a.x) * (q.y - p.y) - (p.y - a.y) * (q.x - p.x)) / det;
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
@@ -102,7 +104,7 @@ class Check {
 
 void validate_graph(const ExactComplex& complex, Violations& violations) {
   for (std::size_t v = 1; v < complex.vertices.size(); ++v) {
-    if (complex.vertices[v - 1] < complex.vertices[v]) continue;
+    if (complex.vertices.compare(v - 1, v) < 0) continue;
     violations.add({Invariant::DuplicateVertex,
                     "two vertices have the same coordinates",
                     complex.vertices[v],
@@ -116,7 +118,7 @@ void validate_graph(const ExactComplex& complex, Violations& violations) {
     const Item& item = sorted[i];
     for (std::size_t j = i + 1; j < sorted.size(); ++j) {
       const Item& next = sorted[j];
-      if (item.head < next.tail && complex.vertices[item.head] < complex.vertices[next.tail]) break;
+      if (item.head < next.tail && complex.vertices.compare(item.head, next.tail) < 0) break;
       if (next.high < item.low || item.high < next.low) continue;
       check.pair(item, next);
     }

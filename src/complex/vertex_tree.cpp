@@ -16,11 +16,11 @@ constexpr double kLeastLength = 0x1p-500;
 
 }  // namespace
 
-VertexTree::VertexTree(const std::vector<Point>& vertices) {
+VertexTree::VertexTree(const PointList& vertices) {
   const std::size_t n = vertices.size();
   points_.reserve(n);
+  const Point origin = n > 0 ? vertices[n / 2] : Point{};
   for (const Point& p : vertices) {
-    const Point& origin = vertices[n / 2];
     points_.push_back(nearest(Point{p.x - origin.x, p.y - origin.y}));
   }
   margin_ = kMarginOfExtent * largest_coordinate(points_) + 4 * kLeastLength;

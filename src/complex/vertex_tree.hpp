@@ -18,7 +18,7 @@ namespace plumbline {
 /// how far from the origin a drawing lies. Cost: O(n log n) to build.
 class VertexTree {
  public:
-  explicit VertexTree(const std::vector<Point>& vertices);
+  explicit VertexTree(const PointList& vertices);
   explicit VertexTree(const ExactComplex& complex) : VertexTree(complex.vertices) {}
 
   /// A number that no distance exceeds whose counterpart (rounded or exact) is d.

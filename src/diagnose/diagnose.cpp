@@ -21,11 +21,13 @@ constexpr int kDefaultPart = 1000;
 
 Rational default_distance(const ExactComplex& complex) {
   if (complex.vertices.empty()) return 0;
-  const auto by_y = [](const Point& p, const Point& q) { return p.y < q.y; };
-  const auto [low, high] =
-      std::minmax_element(complex.vertices.begin(), complex.vertices.end(), by_y);
+  Rational low = complex.vertices.front().y, high = low;
+  for (const Point& p : complex.vertices) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
   const Rational width = complex.vertices.back().x - complex.vertices.front().x;
-  const Rational height = high->y - low->y;
+  const Rational height = high - low;
   return std::max(width, height) / kDefaultPart;
 }
 

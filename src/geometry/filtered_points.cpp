@@ -4,11 +4,10 @@
 
 namespace plumbline {
 
-FilteredPoints::FilteredPoints(const std::vector<Point>& points) : points_(points) {
+FilteredPoints::FilteredPoints(const PointList& points) : points_(points) {
   rough_.reserve(points.size());
-  // Truncates, hence monotone.
-  for (const Point& p : points) rough_.push_back({p.x.get_d(), p.y.get_d()});
-  // Truncating to 53 bits loses less than 2^-52 of a number, or 2^-1074.
+  for (std::size_t p = 0; p < points.size(); ++p) rough_.push_back(points.nearest(p));
+  // Rounding to 53 bits loses at most 2^-53 of a number, or 2^-1075.
   error_ = 0x1p-51 * largest_coordinate(rough_) + 0x1p-1022;
 }
 

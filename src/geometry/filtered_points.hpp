@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "plumbline/geometry.hpp"
+#include "plumbline/geometry/point_list.hpp"
 
 namespace plumbline {
 
@@ -13,9 +13,9 @@ namespace plumbline {
 class FilteredPoints {
  public:
   /// Keeps a reference to the points.
-  explicit FilteredPoints(const std::vector<Point>& points);
+  explicit FilteredPoints(const PointList& points);
 
-  const Point& operator[](std::size_t p) const { return points_[p]; }
+  Point operator[](std::size_t p) const { return points_[p]; }
   /// Each coordinate within `error()` of the exact one, in the exact order or equal where that is
   /// not. Not finite beyond the largest double.
   const PointD& rough(std::size_t p) const { return rough_[p]; }
@@ -42,7 +42,7 @@ class FilteredPoints {
   /// Lexicographic by (x, y).
   bool is_before(std::size_t p, std::size_t q) const {
     const PointD &a = rough_[p], &b = rough_[q];
-    return a.x != b.x ? a.x < b.x : points_[p] < points_[q];
+    return a.x != b.x ? a.x < b.x : points_.compare(p, q) < 0;
   }
 
  private:
@@ -50,7 +50,7 @@ class FilteredPoints {
 
   int exact_orientation(std::size_t p, std::size_t q, std::size_t r) const;
 
-  const std::vector<Point>& points_;
+  const PointList& points_;
   std::vector<PointD> rough_;
   double error_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "number/wide.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/number.hpp"
 
@@ -173,6 +174,9 @@ Rational parse_decimal(std::string_view text) {
 }
 
 std::string exact_text(const Rational& value) {
+  std::string short_text;
+  const auto fraction = wide::fraction(value);
+  if (fraction && wide::append_exact(short_text, *fraction)) return short_text;
   if (value.get_den() == 1) return value.get_num().get_str();
   const std::optional<std::size_t> places = decimal_places(value.get_den());
   if (!places || *places > kShownDigits) return value.get_str();

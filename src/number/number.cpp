@@ -1,28 +1,23 @@
 // Numbers: decimals in 64- and 128-bit integers, Rationals where these do not hold them.
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdlib>
 #include <limits>
 
 #include "number/leading_decimal.hpp"
+#include "number/wide.hpp"
 #include "plumbline/number.hpp"
 
 namespace plumbline {
 namespace {
 
-__extension__ using Int128 = __int128;
+using wide::Int128;
+using wide::kPowersOfTen;
 
 static_assert(sizeof(Number) == 16);
 
 constexpr std::int64_t kMaxMantissa = std::numeric_limits<std::int64_t>::max();
-
-constexpr auto kPowersOfTen = [] {
-  std::array<std::int64_t, Number::kMaxDigits + 1> powers{1};
-  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
-  return powers;
-}();
 
 bool is_mantissa(Int128 m) { return -kMaxMantissa <= m && m <= kMaxMantissa; }
 

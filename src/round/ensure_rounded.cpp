@@ -32,9 +32,7 @@ class Promises {
   }
 
  private:
-  const Point& image(VertexId v) const {
-    return rounding_.complex.vertices[rounding_.vertex_image[v]];
-  }
+  Point image(VertexId v) const { return rounding_.complex.vertices[rounding_.vertex_image[v]]; }
 
   bool is_near(const Rational& a, const Rational& b) const {
     const Rational distance = a - b;

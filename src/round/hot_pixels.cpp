@@ -16,7 +16,7 @@ constexpr double kExactIntegers = 0x1p53;
 // the centre of a pixel that it meets is within half a diagonal of the edge. sqrt(2), rounded up.
 constexpr double kReach = 1.4143;
 
-std::vector<Point> in_spacings(const std::vector<Point>& points, const Rational& spacing) {
+std::vector<Point> in_spacings(const PointList& points, const Rational& spacing) {
   const Rational factor = 1 / spacing;
   std::vector<Point> result;
   result.reserve(points.size());
@@ -37,7 +37,7 @@ HotPixels::HotPixels(const ExactComplex& complex, const Rational& spacing)
     : complex_(complex),
       points_(in_spacings(complex.vertices, spacing)),
       places_(distinct(centres(points_))),
-      tree_(places_.points) {
+      tree_(PointList(places_.points)) {
   offsets_.reserve(points_.size());
   for (std::size_t v = 0; v < points_.size(); ++v) {
     const Point& centre = places_.points[places_.of_vertex[v]];

@@ -28,7 +28,7 @@ std::optional<ExactComplex> moved(const ExactComplex& complex, const Places& pla
   if (places.points.size() != complex.vertices.size()) return {};
   ExactComplex result = complex;
   for (std::size_t v = 0; v < complex.vertices.size(); ++v)
-    result.vertices[v] = places.points[places.of_vertex[v]];
+    result.vertices.replace(v, places.points[places.of_vertex[v]]);
   result = canonical(std::move(result));
   if (!is_valid(result)) return {};
   return result;
@@ -44,7 +44,8 @@ Lists<VertexId> straight_chains(const ExactComplex& complex, const Places& place
 Places nearest_doubles(const ExactComplex& complex) {
   std::vector<Point> points;
   points.reserve(complex.vertices.size());
-  for (const Point& p : complex.vertices) points.push_back(exact(nearest(p)));
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+    points.push_back(exact(complex.vertices.nearest(v)));
   return distinct(std::move(points));
 }
 

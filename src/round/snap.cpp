@@ -79,7 +79,7 @@ Snapped snapped(const ExactComplex& exact, const HotPixels& pixels, const Ration
   }
   const std::vector<Point> points = on_grid(pixels.places().points, spacing);
   result.complex = arrange(drawing(points, edges), ExactEngine::Bucket, options);
-  ensure(result.complex.vertices == points && result.complex.edges == edges,
+  ensure(result.complex.vertices == PointList(points) && result.complex.edges == edges,
          "snap rounded edges meet only at the centres of hot pixels");
   result.complex.edge_sources = std::move(sources);
   return result;

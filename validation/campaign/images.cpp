@@ -59,15 +59,17 @@ int determinant_sign(const Affine& map) {
 }
 
 ExactComplex mapped(ExactComplex complex, const Affine& map) {
-  for (Point& p : complex.vertices) p = apply(map, p);
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+    complex.vertices.replace(v, apply(map, complex.vertices[v]));
   if (determinant_sign(map) < 0) complex.cycles = turned_over(complex.cycles);
   return canonical(std::move(complex));
 }
 
 ExactComplex with_vertex(ExactComplex complex, const Point& p) {
-  if (std::binary_search(complex.vertices.begin(), complex.vertices.end(), p)) return complex;
+  if (std::find(complex.vertices.begin(), complex.vertices.end(), p) != complex.vertices.end())
+    return complex;
   std::size_t cut = 0;
-  const auto end = [&](VertexId v) -> const Point& { return complex.vertices[v]; };
+  const auto end = [&](VertexId v) { return complex.vertices[v]; };
   while (cut < complex.edge_count() &&
          !on_segment(end(complex.edges[cut].tail), end(complex.edges[cut].head), p)) {
     ++cut;

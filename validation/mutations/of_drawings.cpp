@@ -275,7 +275,8 @@ std::optional<Broken> drop_all(Right& right) {
   nothing.segments.clear();
   nothing.sources.clear();
   nothing.points.clear();
-  return Broken{nothing.arranged(), 0, {kVertexMissing}, right->vertices};
+  return Broken{
+      nothing.arranged(), 0, {kVertexMissing}, {right->vertices.begin(), right->vertices.end()}};
 }
 
 }  // namespace

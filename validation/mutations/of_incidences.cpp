@@ -93,7 +93,7 @@ std::optional<Broken> drop_all_faces(Right& right) {
   return Broken{parts.complex(),
                 0,
                 {broken(Invariant::HalfedgeInCycle), {CellKind::Face, Disagreement::Missing}},
-                right->vertices};
+                {right->vertices.begin(), right->vertices.end()}};
 }
 
 std::optional<Broken> repeat_face(Right& right) {

@@ -25,7 +25,7 @@ Lists<T> packed(const std::vector<std::vector<T>>& lists) {
 }  // namespace
 
 Parts::Parts(const ExactComplex& complex)
-    : vertices(complex.vertices),
+    : vertices(complex.vertices.begin(), complex.vertices.end()),
       edges(complex.edges),
       edge_sources(unpacked(complex.edge_sources)),
       cycles(unpacked(complex.cycles)),
@@ -35,7 +35,7 @@ Parts::Parts(const ExactComplex& complex)
 
 ExactComplex Parts::complex() const {
   ExactComplex result;
-  result.vertices = vertices;
+  result.vertices = PointList(vertices);
   result.edges = edges;
   result.edge_sources = packed(edge_sources);
   result.cycles = packed(cycles);

@@ -73,9 +73,9 @@ class Right {
                        [&](FaceId f) { return f != kUnbounded && condition(f); });
   }
 
-  const Point& point(VertexId v) const { return complex_.vertices[v]; }
-  const Point& tail(EdgeId e) const { return point(complex_.edges[e].tail); }
-  const Point& head(EdgeId e) const { return point(complex_.edges[e].head); }
+  Point point(VertexId v) const { return complex_.vertices[v]; }
+  Point tail(EdgeId e) const { return point(complex_.edges[e].tail); }
+  Point head(EdgeId e) const { return point(complex_.edges[e].head); }
   Point middle(EdgeId e) const;
   const std::vector<VertexId>& neighbours(VertexId v) const { return neighbours_[v]; }
   /// A length well below the distances of vertices from each other and from edges.

@@ -17,6 +17,10 @@ class Lists {
   std::span<const T> operator[](std::size_t i) const {
     return {values_.data() + begin_[i], begin_[i + 1] - begin_[i]};
   }
+  void reserve(std::size_t lists, std::size_t values) {
+    begin_.reserve(lists + 1);
+    values_.reserve(values);
+  }
   template <class Range>
   void push_back(const Range& list) {
     values_.insert(values_.end(), list.begin(), list.end());

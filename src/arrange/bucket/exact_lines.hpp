@@ -117,9 +117,13 @@ class ExactLines {
   Point point(EndId end) const;
   Point crossing(LineId s, LineId o) const;
 
- private:
+ protected:
   const Coordinate& x(EndId end) const { return lines_[line_of(end)][is_last(end) ? 2 : 0]; }
   const Coordinate& y(EndId end) const { return lines_[line_of(end)][is_last(end) ? 3 : 1]; }
+  /// The parameter of the crossing with o along s as numerator / positive denominator.
+  std::pair<Product, Product> fraction(LineId s, LineId o) const;
+
+ private:
   Difference dx(LineId s) const { return Difference(lines_[s][2]) - lines_[s][0]; }
   Difference dy(LineId s) const { return Difference(lines_[s][3]) - lines_[s][1]; }
   /// A number times the weight of a line, or of an end's line.
@@ -164,8 +168,6 @@ class ExactLines {
       return true;
     }
   }
-  /// The parameter of the crossing with o along s as numerator / positive denominator.
-  std::pair<Product, Product> fraction(LineId s, LineId o) const;
   std::uint64_t key_of_rationals(LineId s) const;
 
   std::vector<Line> lines_;

@@ -4,6 +4,7 @@
 
 #include "arrange/bucket/exact_lines.hpp"
 #include "arrange/bucket/grid_input.hpp"
+#include "plumbline/geometry/point_list.hpp"
 
 namespace plumbline::bucket {
 
@@ -43,6 +44,21 @@ class GridKernel : public ExactLines<std::int32_t> {
     }
     return r;
   }
+
+  /// Whether a WidePoint holds every point there can be; then the same in machine integers.
+  bool has_wide_points() const { return wide_scale_ != 0; }
+  WidePoint wide_point(EndId end) const {
+    return {wide_x_ + x(end), wide_y_ + y(end), wide_scale_};
+  }
+  WidePoint wide_crossing(LineId s, LineId o) const {
+    const auto [n, d] = fraction(s, o);
+    const Line& c = (*this)[s];
+    return {(wide_x_ + c[0]) * d + (Int128(c[2]) - c[0]) * n,
+            (wide_y_ + c[1]) * d + (Int128(c[3]) - c[1]) * n, d * wide_scale_};
+  }
+
+ private:
+  Int128 wide_scale_ = 0, wide_x_ = 0, wide_y_ = 0;  ///< the frame, where there are wide points
 };
 
 }  // namespace plumbline::bucket

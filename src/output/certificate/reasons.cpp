@@ -81,11 +81,10 @@ void name_crossings(const ExactComplex& complex, std::vector<std::string>& names
 void name_points(const ExactComplex& complex, const SegmentSet& input,
                  std::vector<std::string>& names) {
   for (std::size_t p = 0; p < input.points.size(); ++p) {
-    const auto found =
-        std::lower_bound(complex.vertices.begin(), complex.vertices.end(), input.points[p]);
-    ensure(found != complex.vertices.end() && *found == input.points[p],
+    const std::size_t v = complex.vertices.count_before(input.points[p]);
+    ensure(v < names.size() && complex.vertices[v] == input.points[p],
            "every point of the input is a vertex");
-    std::string& name = names[found - complex.vertices.begin()];
+    std::string& name = names[v];
     if (name.empty()) name = "point " + std::to_string(p);
   }
 }

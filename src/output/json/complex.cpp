@@ -15,17 +15,17 @@ struct Rounded {
 };
 
 /// The numbers beside the exact coordinates of vertex v of the written complex.
-auto numbers(const Point& p, VertexId v, const Rounded* rounded) {
-  const Point* to = &p;
-  if (rounded != nullptr && rounded->rounding.has_same_incidences()) {
-    to = &rounded->rounding.complex.vertices[rounded->rounding.vertex_image[v]];
+std::array<std::variant<double, Digits>, 2> numbers(const PointList& points, VertexId v,
+                                                    const Rounded* rounded) {
+  const bool is_moved = rounded != nullptr && rounded->rounding.has_same_incidences();
+  const PointList& to = is_moved ? rounded->rounding.complex.vertices : points;
+  const VertexId w = is_moved ? rounded->rounding.vertex_image[v] : v;
+  if (rounded != nullptr && rounded->grid.decimals) {
+    const Point p = to[w];
+    return {Digits{decimal_text(p.x)}, Digits{decimal_text(p.y)}};
   }
-  const bool is_decimal = rounded != nullptr && rounded->grid.decimals;
-  const auto number = [is_decimal](const Rational& x) -> std::variant<double, Digits> {
-    if (is_decimal) return Digits{decimal_text(x)};
-    return nearest_double(x);
-  };
-  return std::array{number(to->x), number(to->y)};
+  const PointD p = to.nearest(w);
+  return {p.x, p.y};
 }
 
 auto edge(const ExactComplex& c, EdgeId e) {
@@ -48,7 +48,7 @@ auto face(const ExactComplex& c, FaceId f, const Rational& area) {
 auto cells(const ExactComplex& c, const std::vector<Rational>& areas, const Rounded* rounded) {
   const auto vertex = [&c, rounded](std::size_t v) {
     return object(member("exact", c.vertices[v]),
-                  member("nearest", numbers(c.vertices[v], VertexId(v), rounded)));
+                  member("nearest", numbers(c.vertices, VertexId(v), rounded)));
   };
   const auto component = [](FaceId parent) { return object(member("parent", parent)); };
   return members(

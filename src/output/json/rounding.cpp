@@ -38,7 +38,7 @@ auto vertex_changes(const ExactComplex& exact, const Rounding& rounding, const C
                   member("distance", distance(m.squared_distance)));
   };
   const auto merged = [&](const Changes::MergedVertices& m) {
-    const auto place = [&exact](VertexId v) -> const Point& { return exact.vertices[v]; };
+    const auto place = [&exact](VertexId v) { return exact.vertices[v]; };
     return object(member("vertex", m.into), member("from", list(m.from, place)));
   };
   return members(member("moved_vertices", list(changes.moved_vertices, moved)),

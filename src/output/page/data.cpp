@@ -57,17 +57,16 @@ struct Coordinates {
   std::vector<double> x, y;
 };
 
-template <class P>
-Coordinates coordinates(const CellComplex<P>& complex) {
+PointD rounded(const PointList& points, std::size_t i) { return points.nearest(i); }
+PointD rounded(const std::vector<PointD>& points, std::size_t i) { return points[i]; }
+
+template <class Points>
+Coordinates coordinates(const CellComplex<Points>& complex) {
   Coordinates result;
   result.x.reserve(complex.vertices.size());
   result.y.reserve(complex.vertices.size());
-  for (const P& vertex : complex.vertices) {
-    PointD p;
-    if constexpr (std::is_same_v<P, Point>)
-      p = nearest(vertex);
-    else
-      p = vertex;
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
+    const PointD p = rounded(complex.vertices, v);
     result.x.push_back(p.x);
     result.y.push_back(p.y);
   }
@@ -105,8 +104,8 @@ class Complexes {
     add_incidences(arrays_, "authored", authored);
   }
 
-  template <class P>
-  void add(const std::string& name, const CellComplex<P>& complex) {
+  template <class Points>
+  void add(const std::string& name, const CellComplex<Points>& complex) {
     const Coordinates own = coordinates(complex);
     if (first_.x.empty()) {
       arrays_.add(name + ".x", own.x);

@@ -32,8 +32,8 @@ std::string to_lines(const ExactComplex& complex) {
   std::string rows;
   for (const auto& [tail, head] : complex.edges) {
     for (const VertexId v : {tail, head}) {
-      for (const Rational* coordinate : {&complex.vertices[v].x, &complex.vertices[v].y})
-        rows += decimal_text(*coordinate) + ',';
+      const Point p = complex.vertices[v];
+      rows += decimal_text(p.x) + ',' + decimal_text(p.y) + ',';
     }
     rows.back() = '\n';
   }

@@ -1,0 +1,185 @@
+#include "number/wide.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace plumbline::wide {
+namespace {
+
+constexpr std::uint64_t high(UInt128 v) { return static_cast<std::uint64_t>(v >> 64); }
+constexpr std::uint64_t low(UInt128 v) { return static_cast<std::uint64_t>(v); }
+
+int trailing_zeros(UInt128 v) {
+  return low(v) != 0 ? std::countr_zero(low(v)) : 64 + std::countr_zero(high(v));
+}
+int leading_zeros(UInt128 v) {
+  return high(v) != 0 ? std::countl_zero(high(v)) : 64 + std::countl_zero(low(v));
+}
+
+/// Of odd numbers, by subtraction (Stein 1967).
+std::uint64_t gcd_of_odd(std::uint64_t a, std::uint64_t b) {
+  while (a != b) {
+    const std::uint64_t difference = a > b ? a - b : b - a;
+    b = a < b ? a : b;
+    a = difference >> std::countr_zero(difference);
+  }
+  return a;
+}
+UInt128 gcd_of_odd(UInt128 a, UInt128 b) {
+  while (a != b) {
+    if (a < b) std::swap(a, b);
+    if (high(a) == 0) return gcd_of_odd(low(a), low(b));
+    a -= b;
+    a >>= trailing_zeros(a);
+  }
+  return a;
+}
+
+struct UInt256 {
+  UInt128 high, low;
+};
+
+UInt256 multiply(UInt128 a, UInt128 b) {
+  const UInt128 lowest = static_cast<UInt128>(low(a)) * low(b);
+  const UInt128 mid1 = static_cast<UInt128>(high(a)) * low(b);
+  const UInt128 mid2 = static_cast<UInt128>(low(a)) * high(b);
+  const UInt128 highest = static_cast<UInt128>(high(a)) * high(b);
+  const UInt128 mid = static_cast<UInt128>(high(lowest)) + low(mid1) + low(mid2);
+  return {highest + high(mid1) + high(mid2) + high(mid), (mid << 64) | low(lowest)};
+}
+
+int sign(Int128 v) { return (v > 0) - (v < 0); }
+
+/// The least k such that d divides 10^k, if there is one.
+std::optional<int> decimal_places(UInt128 d) {
+  const int twos = trailing_zeros(d);
+  int fives = 0;
+  for (d >>= twos; d % 5 == 0; ++fives) d /= 5;
+  if (d != 1) return {};
+  return std::max(twos, fives);
+}
+
+void append(std::string& text, std::uint64_t v, int base = 10) {
+  std::array<char, 20> digits;
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + 20, v, base).ptr);
+}
+/// With as many digits as told.
+void append_padded(std::string& text, std::uint64_t v, int count, int base = 10) {
+  std::array<char, 20> digits;
+  const auto length = std::to_chars(digits.data(), digits.data() + 20, v, base).ptr - digits.data();
+  text.append(static_cast<std::size_t>(count - length), '0');
+  text.append(digits.data(), static_cast<std::size_t>(length));
+}
+void append_wide(std::string& text, UInt128 v, int base) {
+  if (high(v) == 0) return append(text, low(v), base);
+  if (base == 16) {
+    append(text, high(v), base);
+    return append_padded(text, low(v), 16, base);
+  }
+  constexpr int kDigits = 19;
+  constexpr std::uint64_t kPower = 10'000'000'000'000'000'000U;  // 10^19
+  append_wide(text, v / kPower, base);
+  append_padded(text, low(v % kPower), kDigits);
+}
+
+void assign(mpz_ptr z, UInt128 v) {
+  mpz_set_ui(z, high(v));
+  if (high(v) != 0) mpz_mul_2exp(z, z, 64);
+  mpz_add_ui(z, z, low(v));
+}
+
+}  // namespace
+
+UInt128 gcd(UInt128 a, UInt128 b) {
+  if (a < b) std::swap(a, b);
+  if (b == 0) return a;
+  a = (high(a) | high(b)) != 0 ? a % b : low(a) % low(b);  // as far as one division goes
+  if (a == 0) return b;
+  const int twos_of_a = trailing_zeros(a), twos_of_b = trailing_zeros(b);
+  return gcd_of_odd(a >> twos_of_a, b >> twos_of_b) << std::min(twos_of_a, twos_of_b);
+}
+
+int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {
+  const int left = sign(a) * sign(b), right = sign(c) * sign(d);
+  if (left != right) return left < right ? -1 : 1;
+  if (left == 0) return 0;
+  const UInt256 p = multiply(magnitude(a), magnitude(b)), q = multiply(magnitude(c), magnitude(d));
+  if (p.high != q.high) return (p.high < q.high) == (left > 0) ? -1 : 1;
+  if (p.low != q.low) return (p.low < q.low) == (left > 0) ? -1 : 1;
+  return 0;
+}
+
+// With n' = |n| and d' = d shifted to where their first bits are set, and q the quotient of n' / 2
+// and the first 64 bits of d': n' / d' 2^63 is between q - 2 (since q < 2^64 and what is left out
+// of d' is below 2^-63 of it) and q + 2. So the last 10 or 11 of q's bits tell which double is the
+// nearest, unless they are within 2 of the middle between two doubles.
+double nearest_quotient(Int128 n, Int128 d) {
+  if (n == 0) return 0;
+  const UInt128 m = magnitude(n), divisor = magnitude(d);
+  const int m_zeros = leading_zeros(m), d_zeros = leading_zeros(divisor);
+  const auto q = low(((m << m_zeros) >> 1) / high(divisor << d_zeros));
+  const int dropped = 64 - std::countl_zero(q) - std::numeric_limits<double>::digits;
+  const std::uint64_t half = std::uint64_t{1} << (dropped - 1), rest = q & (2 * half - 1);
+  constexpr std::uint64_t kError = 2;
+  if (rest + kError >= half && rest <= half + kError) return nearest_double(quotient(n, d));
+  const std::uint64_t mantissa = (q >> dropped) + (rest > half ? 1 : 0);
+  const double size = std::ldexp(static_cast<double>(mantissa), dropped + d_zeros - m_zeros - 63);
+  return n < 0 ? -size : size;
+}
+
+Fraction lowest(Int128 n, Int128 d) {
+  const auto divisor = static_cast<Int128>(gcd(magnitude(n), magnitude(d)));
+  return divisor == 1 ? Fraction{n, d} : Fraction{n / divisor, d / divisor};
+}
+
+Rational quotient(Int128 n, Int128 d) {
+  const Fraction f = lowest(n, d);
+  Rational result;
+  assign(result.get_num_mpz_t(), magnitude(f.n));
+  assign(result.get_den_mpz_t(), magnitude(f.d));
+  if (n < 0) mpz_neg(result.get_num_mpz_t(), result.get_num_mpz_t());
+  return result;
+}
+
+std::optional<Fraction> fraction(const Rational& value) {
+  constexpr std::size_t kBits = 127;
+  static_assert(GMP_NUMB_BITS == 64);
+  const mpz_srcptr n = value.get_num_mpz_t(), d = value.get_den_mpz_t();
+  if (mpz_sizeinbase(n, 2) > kBits || mpz_sizeinbase(d, 2) > kBits) return {};
+  const auto integer = [](mpz_srcptr z) {
+    return static_cast<Int128>((static_cast<UInt128>(mpz_getlimbn(z, 1)) << 64) |
+                               mpz_getlimbn(z, 0));
+  };
+  return Fraction{mpz_sgn(n) < 0 ? -integer(n) : integer(n), integer(d)};
+}
+
+void append_fraction(std::string& text, const Fraction& value, int base) {
+  if (value.n < 0) text += '-';
+  append_wide(text, magnitude(value.n), base);
+  if (value.d == 1) return;
+  text += '/';
+  append_wide(text, magnitude(value.d), base);
+}
+
+bool append_exact(std::string& text, const Fraction& value) {
+  const std::optional<int> places = decimal_places(magnitude(value.d));
+  if (!places || *places == 0) {
+    append_fraction(text, value, 10);
+    return true;
+  }
+  const UInt128 whole = magnitude(value.n) / magnitude(value.d);
+  if (*places > Number::kMaxDigits || high(whole) != 0) return false;
+  const Int128 factor = kPowersOfTen[static_cast<std::size_t>(*places)] / value.d;
+  const UInt128 rest = magnitude(value.n) % magnitude(value.d) * magnitude(factor);
+  if (value.n < 0) text += '-';
+  append(text, low(whole));
+  text += '.';
+  append_padded(text, low(rest), *places);
+  return true;
+}
+
+}  // namespace plumbline::wide

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "plumbline/number.hpp"
+
+/// Integers of 128 bits: fractions of them, compared, rounded and in lowest terms without a number
+/// in dynamic memory.
+namespace plumbline::wide {
+
+__extension__ using Int128 = __int128;
+__extension__ using UInt128 = unsigned __int128;
+
+inline constexpr auto kPowersOfTen = [] {
+  std::array<std::int64_t, Number::kMaxDigits + 1> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
+  return powers;
+}();
+
+inline UInt128 magnitude(Int128 v) {
+  return v < 0 ? -static_cast<UInt128>(v) : static_cast<UInt128>(v);
+}
+
+/// The greatest common divisor; of 0 and a the other one.
+UInt128 gcd(UInt128 a, UInt128 b);
+
+/// Sign of a b - c d. **Exact** for every value above -2^127.
+int compare_products(Int128 a, Int128 b, Int128 c, Int128 d);
+
+/// The double nearest to n / d, ties to even. **Rounded** correctly. Requires: d > 0.
+double nearest_quotient(Int128 n, Int128 d);
+
+/// A fraction in lowest terms, d > 0.
+struct Fraction {
+  Int128 n, d;
+};
+/// n / d. **Exact**. Requires: d > 0.
+Fraction lowest(Int128 n, Int128 d);
+Rational quotient(Int128 n, Int128 d);
+/// The same number, where 127 bits hold both its numerator and its denominator.
+std::optional<Fraction> fraction(const Rational& value);
+
+/// Appends what `Rational::get_str(base)` says of the fraction. Requires: base is 10 or 16.
+void append_fraction(std::string& text, const Fraction& value, int base);
+/// Appends what `exact_text` says of the fraction; appends nothing, and returns false, where that
+/// is a decimal of more than 18 places, or 2^64 and above.
+bool append_exact(std::string& text, const Fraction& value);
+
+}  // namespace plumbline::wide
