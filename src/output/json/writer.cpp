@@ -1,5 +1,8 @@
 #include "output/json/writer.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "plumbline/error.hpp"
 
 namespace plumbline::json {
@@ -10,33 +13,45 @@ std::variant<Digits, std::string> decimal(const Rational& value) {
   return Digits{std::move(text)};
 }
 
-Writer::Writer() {
-  Reset(buffer_);
-  SetIndent(' ', 1);
-  SetFormatOptions(rapidjson::kFormatSingleLineArray);
+void Writer::value(double x) {
+  if (!std::isfinite(x)) return null();
+  char digits[32];                      // the longest is 24: -2.2250738585072014e-308
+  const double shown = x == 0 ? 0 : x;  // -0 -> 0
+  text_.append(digits, std::to_chars(digits, digits + sizeof digits, shown).ptr);
 }
 
-std::string Writer::take() const {
-  return std::string(buffer_.GetString(), buffer_.GetSize()) + '\n';
-}
-
-void Writer::value(double number) {
-  Digits digits{shortest_text(number)};
-  digits.text.find_first_of("in") == std::string::npos ? value(digits) : null();
-}
-
-void Writer::value(const Digits& digits) {
-  RawValue(digits.text.data(), digits.text.size(), rapidjson::kNumberType);
-}
-
-void Writer::text(std::string_view words) {
-  const std::string utf8 = valid_utf8(words);
-  String(utf8.data(), static_cast<rapidjson::SizeType>(utf8.size()));
+void Writer::quoted(std::string_view words) {
+  const auto is_plain = [](char c) { return ' ' <= c && c <= '~' && c != '"' && c != '\\'; };
+  if (std::all_of(words.begin(), words.end(), is_plain)) return plain(words);
+  text_ += '"';
+  for (const char c : valid_utf8(words)) {
+    static constexpr std::string_view kShort = "\"\\\b\f\n\r\t", kLetters = "\"\\bfnrt";
+    static constexpr std::string_view kDigits = "0123456789ABCDEF";
+    const std::size_t at = kShort.find(c);
+    const auto code = static_cast<unsigned char>(c);
+    if (at != std::string_view::npos) {
+      (text_ += '\\') += kLetters[at];
+    } else if (code < ' ') {
+      ((text_ += "\\u00") += kDigits[code / 16]) += kDigits[code % 16];
+    } else {
+      text_ += c;
+    }
+  }
+  text_ += '"';
 }
 
 void Writer::key(std::string_view name) {
-  const std::string utf8 = valid_utf8(name);
-  Key(utf8.data(), static_cast<rapidjson::SizeType>(utf8.size()));
+  if (!is_empty_) text_ += ',';
+  is_empty_ = false;
+  new_line();
+  quoted(name);
+  text_ += is_readable_ ? ": " : ":";
+}
+
+void Writer::new_line() {
+  if (!is_readable_) return;
+  text_ += '\n';
+  text_.append(depth_, ' ');
 }
 
 }  // namespace plumbline::json

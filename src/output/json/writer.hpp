@@ -1,10 +1,9 @@
 #pragma once
 
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-
+#include <charconv>
 #include <concepts>
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "output/json/values.hpp"
@@ -12,37 +11,46 @@
 
 namespace plumbline::json {
 
-/// RapidJSON's writer for such values. Arrays stand on one line.
-class Writer : private rapidjson::PrettyWriter<rapidjson::StringBuffer> {
+/// How a document is laid out: members on lines of their own, arrays on one line; or without
+/// blanks.
+enum class Layout { Readable, Dense };
+
+/// Writes such values, each as it is met, to the end of one text.
+class Writer {
  public:
-  Writer();
-  std::string take() const;
+  explicit Writer(Layout layout = Layout::Readable) : is_readable_(layout == Layout::Readable) {}
+  std::string take() { return std::move(text_) + '\n'; }
 
   template <class T>
   void value(const T& x) {
     if constexpr (std::is_same_v<T, bool>) {
-      Bool(x);
-    } else if constexpr (std::signed_integral<T>) {
-      Int64(x);
-    } else if constexpr (std::unsigned_integral<T>) {
-      Uint64(x);
+      text_ += x ? "true" : "false";
+    } else if constexpr (std::integral<T>) {
+      number(x);
     } else if constexpr (std::is_convertible_v<T, std::string_view>) {
-      text(x);
+      quoted(x);
     } else {
       array(x, std::identity());
     }
   }
-  void value(double number);
-  void value(const Digits& digits);
-  void value(const Rational& number) { text(exact_text(number)); }
+  void value(double x);
+  void value(const Digits& digits) { text_ += digits.text; }
+  void value(const Rational& x) { plain(exact_text(x)); }
   void value(const Point& p) { value(std::tie(p.x, p.y)); }
   void value(const PointD& p) { value(std::tie(p.x, p.y)); }
   void value(const SegmentD& s) { value(std::tie(s.a, s.b)); }
   template <class... T>
   void value(const std::tuple<T...>& x) {
-    StartArray();
-    std::apply([this](const auto&... item) { (this->value(item), ...); }, x);
-    EndArray();
+    text_ += '[';
+    ++depth_;
+    bool is_first = true;
+    const auto add = [&](const auto& item) {
+      separate(is_first);
+      value(item);
+    };
+    std::apply([&](const auto&... item) { (add(item), ...); }, x);
+    --depth_;
+    text_ += ']';
   }
   template <class Tag>
   void value(const Index<Tag>& index) {
@@ -66,9 +74,14 @@ class Writer : private rapidjson::PrettyWriter<rapidjson::StringBuffer> {
   }
   template <class... Parts>
   void value(const Object<Parts...>& x) {
-    StartObject();
+    text_ += '{';
+    ++depth_;
+    is_empty_ = true;
     all(x.parts);
-    EndObject();
+    --depth_;
+    if (!is_empty_) new_line();
+    is_empty_ = false;  // what this is a part of
+    text_ += '}';
   }
 
   template <class Key, class T>
@@ -91,21 +104,43 @@ class Writer : private rapidjson::PrettyWriter<rapidjson::StringBuffer> {
   void part(const std::function<void(Writer&)>& write) { write(*this); }
 
  private:
-  void null() { Null(); }
-  void text(std::string_view words);
+  void null() { text_ += "null"; }
+  template <std::integral T>
+  void number(T x) {
+    char digits[20];
+    text_.append(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
+  }
+  /// A text without anything that JSON escapes.
+  void plain(std::string_view words) { ((text_ += '"') += words) += '"'; }
+  void quoted(std::string_view words);
   void key(std::string_view name);
+  void new_line();
+  /// Between the items of an array.
+  void separate(bool& is_first) {
+    if (!is_first) text_ += is_readable_ ? ", " : ",";
+    is_first = false;
+  }
   template <class Range, class F>
   void array(const Range& range, const F& f) {
-    StartArray();
-    for (const auto& item : range) value(f(item));
-    EndArray();
+    text_ += '[';
+    ++depth_;
+    bool is_first = true;
+    for (const auto& item : range) {
+      separate(is_first);
+      value(f(item));
+    }
+    --depth_;
+    text_ += ']';
   }
   template <class... Parts>
   void all(const std::tuple<Parts...>& parts) {
     std::apply([this](const auto&... x) { (this->part(x), ...); }, parts);
   }
 
-  rapidjson::StringBuffer buffer_;
+  bool is_readable_;
+  std::string text_;
+  std::size_t depth_ = 0;  ///< of arrays and objects around what is written
+  bool is_empty_ = true;   ///< whether the innermost object has no member so far
 };
 
 /// Parts of an object whose type is of no interest, for those that are made in another source.
@@ -117,8 +152,8 @@ Part part_of(T part) {
 
 /// The text of a file.
 template <class T>
-std::string document(const T& value) {
-  Writer writer;
+std::string document(const T& value, Layout layout = Layout::Readable) {
+  Writer writer(layout);
   writer.value(value);
   return writer.take();
 }
