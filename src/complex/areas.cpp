@@ -1,27 +1,61 @@
+// A sum of fractions is taken half by half and brought to lowest terms once: so numbers stay as
+// short as they can, and few greatest common divisors are needed.
+
+#include <span>
+
 #include "plumbline/complex.hpp"
 
 namespace plumbline {
+namespace {
+
+/// n / d, not in lowest terms.
+struct Fraction {
+  mpz_class n, d;
+};
+
+/// p.x q.y - q.x p.y.
+Fraction cross_product(const Point& p, const Point& q) {
+  const mpz_class left_d = p.x.get_den() * q.y.get_den(), right_d = q.x.get_den() * p.y.get_den();
+  mpz_class left = p.x.get_num() * q.y.get_num(), right = q.x.get_num() * p.y.get_num();
+  if (left_d == right_d) return {left - right, left_d};
+  left *= right_d;
+  right *= left_d;
+  return {left - right, left_d * right_d};
+}
+
+/// Twice the signed area to the left of the chain of points, from the origin.
+Fraction twice_area(std::span<const Point> chain) {
+  if (chain.size() == 2) return cross_product(chain[0], chain[1]);
+  const std::size_t middle = chain.size() / 2;
+  const Fraction a = twice_area(chain.first(middle + 1)), b = twice_area(chain.subspan(middle));
+  return {a.n * b.d + b.n * a.d, a.d * b.d};
+}
+
+Rational area(const ExactComplex& complex, CycleId cycle) {
+  std::vector<Point> chain;
+  chain.reserve(complex.cycles[cycle].size() + 1);
+  for (const HalfedgeId h : complex.cycles[cycle])
+    chain.push_back(complex.vertices[complex.origin(h)]);
+  chain.push_back(chain.front());
+  Fraction twice = twice_area(chain);
+  Rational result(std::move(twice.n), std::move(twice.d) * 2);
+  result.canonicalize();
+  return result;
+}
+
+}  // namespace
 
 std::vector<Rational> cycle_areas(const ExactComplex& complex) {
   std::vector<Rational> areas(complex.cycles.size());
-  for (std::size_t c = 0; c < areas.size(); ++c) {
-    Rational twice = 0;
-    for (const HalfedgeId h : complex.cycles[c]) {
-      const Point& p = complex.vertices[complex.origin(h)];
-      const Point& q = complex.vertices[complex.target(h)];
-      twice += p.x * q.y - q.x * p.y;
-    }
-    areas[c] = twice / 2;
-  }
+  for (std::size_t c = 0; c < areas.size(); ++c) areas[c] = area(complex, CycleId(c));
   return areas;
 }
 
 std::vector<Rational> face_areas(const ExactComplex& complex) {
-  const std::vector<Rational> of_cycles = cycle_areas(complex);
   std::vector<Rational> areas(complex.face_count());
   for (std::size_t f = 1; f < areas.size(); ++f) {
-    areas[f] = of_cycles[complex.face_outer[f]];
-    for (const CycleId hole : complex.face_holes[f]) areas[f] += of_cycles[hole];
+    areas[f] = area(complex, complex.face_outer[f]);
+    for (const CycleId hole : complex.face_holes[f]) areas[f] += area(complex, hole);
   }
   return areas;
 }

@@ -11,29 +11,59 @@
 namespace plumbline {
 namespace {
 
-std::vector<HalfedgeId> boundary_halfedges(const Incidences& c, FaceId f) {
-  std::vector<HalfedgeId> halfedges;
+/// A halfedge of the boundary.
+struct Side {
+  Point from, to;
+  bool is_antenna;
+};
+
+std::vector<Side> boundary_of(const ExactComplex& c, FaceId f) {
+  std::vector<Side> sides;
   const auto add = [&](CycleId cycle) {
-    halfedges.insert(halfedges.end(), c.cycles[cycle].begin(), c.cycles[cycle].end());
+    const std::size_t first = sides.size();
+    for (const HalfedgeId h : c.cycles[cycle])
+      sides.push_back({c.vertices[c.origin(h)], {}, c.is_antenna(edge_of(h))});
+    for (std::size_t i = first; i < sides.size(); ++i)
+      sides[i].to = sides[i + 1 < sides.size() ? i + 1 : first].from;
   };
   add(c.face_outer[f]);
   for (const CycleId hole : c.face_holes[f]) add(hole);
-  return halfedges;
+  return sides;
 }
 
 /// The middle of the tallest strip between successive heights of the outer boundary's extent.
-Rational scan_height(const ExactComplex& c, FaceId f, const std::vector<HalfedgeId>& boundary) {
+Rational scan_height(const ExactComplex& c, FaceId f, const std::vector<Side>& boundary) {
   std::vector<Rational> heights;
-  for (const HalfedgeId h : boundary) heights.push_back(c.vertices[c.origin(h)].y);
+  for (const Side& side : boundary) heights.push_back(side.from.y);
   for (const VertexId v : c.face_isolated_vertices[f]) heights.push_back(c.vertices[v].y);
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   ensure(heights.size() >= 2, "a bounded face has an extent");
   std::size_t tallest = 1;
+  Rational height = heights[1] - heights[0];
   for (std::size_t i = 2; i < heights.size(); ++i) {
-    if (heights[i] - heights[i - 1] > heights[tallest] - heights[tallest - 1]) tallest = i;
+    Rational other = heights[i] - heights[i - 1];
+    if (other <= height) continue;
+    height = std::move(other);
+    tallest = i;
   }
   return (heights[tallest - 1] + heights[tallest]) / 2;
+}
+
+/// Where the line at height y meets the side: a sum of three fractions, brought to lowest terms
+/// once.
+Rational crossing(const Side& side, const Rational& y) {
+  const auto& [p, q, is_antenna] = side;
+  const mpz_class &px = p.x.get_num(), &pxd = p.x.get_den(), &qx = q.x.get_num(),
+                  &qxd = q.x.get_den();
+  // x = (p.x (q.y - y) + q.x (y - p.y)) / (q.y - p.y), with s = q.y - y and t = y - p.y.
+  const Rational s = q.y - y, t = y - p.y;
+  const mpz_class left = px * qxd * s.get_num() * t.get_den();
+  const mpz_class right = qx * pxd * t.get_num() * s.get_den();
+  const mpz_class whole = s.get_num() * t.get_den() + t.get_num() * s.get_den();
+  Rational x(left + right, pxd * qxd * whole);
+  x.canonicalize();
+  return x;
 }
 
 struct Meeting {
@@ -46,15 +76,12 @@ struct Meeting {
 Point interior_point(const ExactComplex& complex, FaceId f) {
   ensure(f != kUnbounded && f < complex.face_count(),
          "an interior point is asked of a bounded face");
-  const std::vector<HalfedgeId> boundary = boundary_halfedges(complex, f);
+  const std::vector<Side> boundary = boundary_of(complex, f);
   const Rational y = scan_height(complex, f, boundary);
   std::vector<Meeting> meetings;
-  for (const HalfedgeId h : boundary) {
-    const Point& p = complex.vertices[complex.origin(h)];
-    const Point& q = complex.vertices[complex.target(h)];
-    if ((p.y < y) == (q.y < y)) continue;
-    meetings.push_back(
-        {p.x + (q.x - p.x) * (y - p.y) / (q.y - p.y), complex.is_antenna(edge_of(h))});
+  for (const Side& side : boundary) {
+    if ((side.from.y < y) == (side.to.y < y)) continue;
+    meetings.push_back({crossing(side, y), side.is_antenna});
   }
   std::sort(meetings.begin(), meetings.end(),
             [](const Meeting& a, const Meeting& b) { return a.x < b.x; });
