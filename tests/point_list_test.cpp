@@ -56,6 +56,7 @@ TEST_CASE("a list gives back the points that it was given, however it stores the
   for (std::size_t i = 0; i < points.size(); ++i) {
     REQUIRE(list[i] == points[i]);
     REQUIRE(list.nearest(i) == nearest(points[i]));
+    REQUIRE(list.truncated(i) == PointD{points[i].x.get_d(), points[i].y.get_d()});
     wide += list.wide(i) != nullptr ? 1 : 0;
   }
   CHECK(wide > points.size() / 10);
@@ -142,6 +143,8 @@ TEST_CASE(
   CHECK(wide::nearest_quotient((wide::Int128{1} << 53) + 1, 1) == 0x1p53);  // ties to even
   CHECK(wide::nearest_quotient((wide::Int128{1} << 53) + 3, 1) == 0x1p53 + 4);
   CHECK(wide::nearest_quotient(-1, 3) == -1.0 / 3);
+  CHECK(wide::truncated_quotient((wide::Int128{1} << 54) - 1, 1) == 0x1p54 - 2);
+  CHECK(wide::truncated_quotient(-7, 2) == -3.5);
 }
 
 TEST_CASE("greatest common divisors of 128 bits are those of GMP") {

@@ -6,8 +6,9 @@ namespace plumbline {
 
 FilteredPoints::FilteredPoints(const PointList& points) : points_(points) {
   rough_.reserve(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p) rough_.push_back(points.nearest(p));
-  // Rounding to 53 bits loses at most 2^-53 of a number, or 2^-1075.
+  // Truncates, hence monotone.
+  for (std::size_t p = 0; p < points.size(); ++p) rough_.push_back(points.truncated(p));
+  // Truncating to 53 bits loses less than 2^-52 of a number, or 2^-1074.
   error_ = 0x1p-51 * largest_coordinate(rough_) + 0x1p-1022;
 }
 

@@ -70,6 +70,12 @@ PointD PointList::nearest(std::size_t i) const {
   return {wide::nearest_quotient(x, w), wide::nearest_quotient(y, w)};
 }
 
+PointD PointList::truncated(std::size_t i) const {
+  if (!is_wide(i)) return {other(i).x.get_d(), other(i).y.get_d()};
+  const auto& [x, y, w] = wide_[i];
+  return {wide::truncated_quotient(x, w), wide::truncated_quotient(y, w)};
+}
+
 int PointList::compare(std::size_t i, std::size_t j) const {
   if (is_wide(i) && is_wide(j)) {
     const WidePoint &p = wide_[i], &q = wide_[j];

@@ -54,6 +54,26 @@ UInt256 multiply(UInt128 a, UInt128 b) {
 
 int sign(Int128 v) { return (v > 0) - (v < 0); }
 
+/// The first 53 bits of |n| / d, of value 2^ulp each, and some more: `rest` of 2 `half`, off by at
+/// most kError.
+struct Leading {
+  std::uint64_t first, rest, half;
+  int ulp;
+};
+constexpr std::uint64_t kError = 2;
+
+// With n' = |n| and d' = d shifted to where their first bits are set, and q the quotient of n' / 2
+// and the first 64 bits of d': n' / d' 2^63 is between q - 2 (since q < 2^64 and what is left out
+// of d' is below 2^-63 of it) and q + 2.
+Leading leading_bits(Int128 n, Int128 d) {
+  const UInt128 m = magnitude(n), divisor = magnitude(d);
+  const int m_zeros = leading_zeros(m), d_zeros = leading_zeros(divisor);
+  const auto q = low(((m << m_zeros) >> 1) / high(divisor << d_zeros));
+  const int dropped = 64 - std::countl_zero(q) - std::numeric_limits<double>::digits;
+  const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
+  return {q >> dropped, q & (2 * half - 1), half, dropped + d_zeros - m_zeros - 63};
+}
+
 /// The least k such that d divides 10^k, if there is one.
 std::optional<int> decimal_places(UInt128 d) {
   const int twos = trailing_zeros(d);
@@ -113,27 +133,32 @@ int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {
   return 0;
 }
 
-// With n' = |n| and d' = d shifted to where their first bits are set, and q the quotient of n' / 2
-// and the first 64 bits of d': n' / d' 2^63 is between q - 2 (since q < 2^64 and what is left out
-// of d' is below 2^-63 of it) and q + 2. So the last 10 or 11 of q's bits tell which double is the
-// nearest, unless they are within 2 of the middle between two doubles.
 double nearest_quotient(Int128 n, Int128 d) {
   if (n == 0) return 0;
-  const UInt128 m = magnitude(n), divisor = magnitude(d);
-  const int m_zeros = leading_zeros(m), d_zeros = leading_zeros(divisor);
-  const auto q = low(((m << m_zeros) >> 1) / high(divisor << d_zeros));
-  const int dropped = 64 - std::countl_zero(q) - std::numeric_limits<double>::digits;
-  const std::uint64_t half = std::uint64_t{1} << (dropped - 1), rest = q & (2 * half - 1);
-  constexpr std::uint64_t kError = 2;
-  if (rest + kError >= half && rest <= half + kError) return nearest_double(quotient(n, d));
-  const std::uint64_t mantissa = (q >> dropped) + (rest > half ? 1 : 0);
-  const double size = std::ldexp(static_cast<double>(mantissa), dropped + d_zeros - m_zeros - 63);
+  const Leading q = leading_bits(n, d);
+  if (q.rest + kError >= q.half && q.rest <= q.half + kError) return nearest_double(quotient(n, d));
+  const double size = std::ldexp(static_cast<double>(q.first + (q.rest > q.half ? 1 : 0)), q.ulp);
+  return n < 0 ? -size : size;
+}
+
+double truncated_quotient(Int128 n, Int128 d) {
+  if (n == 0) return 0;
+  const Leading q = leading_bits(n, d);
+  if (q.rest < kError || q.rest + kError >= 2 * q.half) return quotient(n, d).get_d();
+  const double size = std::ldexp(static_cast<double>(q.first), q.ulp);
   return n < 0 ? -size : size;
 }
 
 Fraction lowest(Int128 n, Int128 d) {
   const auto divisor = static_cast<Int128>(gcd(magnitude(n), magnitude(d)));
   return divisor == 1 ? Fraction{n, d} : Fraction{n / divisor, d / divisor};
+}
+
+mpz_class integer(Int128 v) {
+  mpz_class result;
+  assign(result.get_mpz_t(), magnitude(v));
+  if (v < 0) mpz_neg(result.get_mpz_t(), result.get_mpz_t());
+  return result;
 }
 
 Rational quotient(Int128 n, Int128 d) {

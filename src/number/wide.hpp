@@ -33,6 +33,12 @@ int compare_products(Int128 a, Int128 b, Int128 c, Int128 d);
 /// The double nearest to n / d, ties to even. **Rounded** correctly. Requires: d > 0.
 double nearest_quotient(Int128 n, Int128 d);
 
+/// The double next to n / d towards 0, or the same, as `Rational::get_d`. Requires: d > 0.
+double truncated_quotient(Int128 n, Int128 d);
+
+/// The integer as GMP's.
+mpz_class integer(Int128 v);
+
 /// A fraction in lowest terms, d > 0.
 struct Fraction {
   Int128 n, d;

@@ -47,6 +47,8 @@ class PointList {
 
   /// Coordinates of point i, correctly **rounded** to the nearest doubles. Requires: i < size().
   PointD nearest(std::size_t i) const;
+  /// The same, **rounded** towards 0.
+  PointD truncated(std::size_t i) const;
   /// Lexicographic order of points i and j, -1, 0 or 1. **Exact**. Requires: both < size().
   int compare(std::size_t i, std::size_t j) const;
   /// Of points in ascending order, the number of those before p. Cost: O(log n).
