@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "number/wide.hpp"
 #include "plumbline/complex.hpp"
 
 namespace plumbline {
@@ -13,29 +14,35 @@ struct Fraction {
   mpz_class n, d;
 };
 
-/// p.x q.y - q.x p.y.
-Fraction cross_product(const Point& p, const Point& q) {
-  const mpz_class left_d = p.x.get_den() * q.y.get_den(), right_d = q.x.get_den() * p.y.get_den();
-  mpz_class left = p.x.get_num() * q.y.get_num(), right = q.x.get_num() * p.y.get_num();
-  if (left_d == right_d) return {left - right, left_d};
-  left *= right_d;
-  right *= left_d;
-  return {left - right, left_d * right_d};
+/// The point (x / w, y / w).
+struct Place {
+  mpz_class x, y, w;
+};
+
+Place place(const PointList& points, std::size_t i) {
+  if (const WidePoint* p = points.wide(i))
+    return {wide::integer(p->x), wide::integer(p->y), wide::integer(p->w)};
+  const Point p = points[i];
+  return {p.x.get_num() * p.y.get_den(), p.y.get_num() * p.x.get_den(),
+          p.x.get_den() * p.y.get_den()};
 }
 
 /// Twice the signed area to the left of the chain of points, from the origin.
-Fraction twice_area(std::span<const Point> chain) {
-  if (chain.size() == 2) return cross_product(chain[0], chain[1]);
+Fraction twice_area(std::span<const Place> chain) {
+  if (chain.size() == 2) {
+    const Place &p = chain[0], &q = chain[1];
+    return {p.x * q.y - q.x * p.y, p.w * q.w};
+  }
   const std::size_t middle = chain.size() / 2;
   const Fraction a = twice_area(chain.first(middle + 1)), b = twice_area(chain.subspan(middle));
   return {a.n * b.d + b.n * a.d, a.d * b.d};
 }
 
 Rational area(const ExactComplex& complex, CycleId cycle) {
-  std::vector<Point> chain;
+  std::vector<Place> chain;
   chain.reserve(complex.cycles[cycle].size() + 1);
   for (const HalfedgeId h : complex.cycles[cycle])
-    chain.push_back(complex.vertices[complex.origin(h)]);
+    chain.push_back(place(complex.vertices, complex.origin(h)));
   chain.push_back(chain.front());
   Fraction twice = twice_area(chain);
   Rational result(std::move(twice.n), std::move(twice.d) * 2);

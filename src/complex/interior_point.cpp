@@ -13,18 +13,21 @@ namespace {
 
 /// A halfedge of the boundary.
 struct Side {
-  Point from, to;
+  Point from;
+  std::size_t next;  ///< the side that begins where it ends
   bool is_antenna;
 };
 
 std::vector<Side> boundary_of(const ExactComplex& c, FaceId f) {
   std::vector<Side> sides;
+  std::size_t count = c.cycles[c.face_outer[f]].size();
+  for (const CycleId hole : c.face_holes[f]) count += c.cycles[hole].size();
+  sides.reserve(count);
   const auto add = [&](CycleId cycle) {
     const std::size_t first = sides.size();
     for (const HalfedgeId h : c.cycles[cycle])
-      sides.push_back({c.vertices[c.origin(h)], {}, c.is_antenna(edge_of(h))});
-    for (std::size_t i = first; i < sides.size(); ++i)
-      sides[i].to = sides[i + 1 < sides.size() ? i + 1 : first].from;
+      sides.push_back({c.vertices[c.origin(h)], sides.size() + 1, c.is_antenna(edge_of(h))});
+    sides.back().next = first;
   };
   add(c.face_outer[f]);
   for (const CycleId hole : c.face_holes[f]) add(hole);
@@ -34,6 +37,7 @@ std::vector<Side> boundary_of(const ExactComplex& c, FaceId f) {
 /// The middle of the tallest strip between successive heights of the outer boundary's extent.
 Rational scan_height(const ExactComplex& c, FaceId f, const std::vector<Side>& boundary) {
   std::vector<Rational> heights;
+  heights.reserve(boundary.size() + c.face_isolated_vertices[f].size());
   for (const Side& side : boundary) heights.push_back(side.from.y);
   for (const VertexId v : c.face_isolated_vertices[f]) heights.push_back(c.vertices[v].y);
   std::sort(heights.begin(), heights.end());
@@ -50,18 +54,13 @@ Rational scan_height(const ExactComplex& c, FaceId f, const std::vector<Side>& b
   return (heights[tallest - 1] + heights[tallest]) / 2;
 }
 
-/// Where the line at height y meets the side: a sum of three fractions, brought to lowest terms
-/// once.
-Rational crossing(const Side& side, const Rational& y) {
-  const auto& [p, q, is_antenna] = side;
-  const mpz_class &px = p.x.get_num(), &pxd = p.x.get_den(), &qx = q.x.get_num(),
-                  &qxd = q.x.get_den();
-  // x = (p.x (q.y - y) + q.x (y - p.y)) / (q.y - p.y), with s = q.y - y and t = y - p.y.
+/// Where the line at height y meets the side from p to q: x is (p.x s + q.x t) / (s + t) with
+/// s = q.y - y and t = y - p.y, brought to lowest terms once.
+Rational crossing(const Point& p, const Point& q, const Rational& y) {
   const Rational s = q.y - y, t = y - p.y;
-  const mpz_class left = px * qxd * s.get_num() * t.get_den();
-  const mpz_class right = qx * pxd * t.get_num() * s.get_den();
-  const mpz_class whole = s.get_num() * t.get_den() + t.get_num() * s.get_den();
-  Rational x(left + right, pxd * qxd * whole);
+  const mpz_class st = s.get_num() * t.get_den(), ts = t.get_num() * s.get_den();
+  const mpz_class &p_d = p.x.get_den(), &q_d = q.x.get_den();
+  Rational x(p.x.get_num() * q_d * st + q.x.get_num() * p_d * ts, p_d * q_d * (st + ts));
   x.canonicalize();
   return x;
 }
@@ -80,8 +79,9 @@ Point interior_point(const ExactComplex& complex, FaceId f) {
   const Rational y = scan_height(complex, f, boundary);
   std::vector<Meeting> meetings;
   for (const Side& side : boundary) {
-    if ((side.from.y < y) == (side.to.y < y)) continue;
-    meetings.push_back({crossing(side, y), side.is_antenna});
+    const Point& to = boundary[side.next].from;
+    if ((side.from.y < y) == (to.y < y)) continue;
+    meetings.push_back({crossing(side.from, to, y), side.is_antenna});
   }
   std::sort(meetings.begin(), meetings.end(),
             [](const Meeting& a, const Meeting& b) { return a.x < b.x; });
