@@ -47,7 +47,7 @@ auto face(const ExactComplex& c, FaceId f, const Rational& area) {
 
 auto cells(const ExactComplex& c, const std::vector<Rational>& areas, const Rounded* rounded) {
   const auto vertex = [&c, rounded](std::size_t v) {
-    return object(member("exact", c.vertices[v]),
+    return object(member("exact", Stored{c.vertices, v}),
                   member("nearest", numbers(c.vertices, VertexId(v), rounded)));
   };
   const auto component = [](FaceId parent) { return object(member("parent", parent)); };

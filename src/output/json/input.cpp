@@ -19,9 +19,9 @@ Part losses(const std::vector<Rejected>& rejected, const std::vector<Replacement
 Part input_members(const SegmentSet& input) {
   const auto source = [](const Source& s) { return object(source_members(s)); };
   const auto segment = [&input](std::size_t s) {
-    Segment ends = input.segments[s];
-    return object(member("source", input.segment_source[s]), member("from", std::move(ends.a)),
-                  member("to", std::move(ends.b)));
+    const auto ends = input.segments.numbers(s);
+    return object(member("source", input.segment_source[s]), member("from", ends.first<2>()),
+                  member("to", ends.last<2>()));
   };
   return part_of(members(member("files", input.files),
                          member("sources", list(input.sources, source)),

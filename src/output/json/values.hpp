@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "plumbline/geometry.hpp"
+#include "plumbline/geometry/point_list.hpp"
 
 /// JSON documents as values: `document(object(member("x", x), member("y", list(ys, f))))` is the
 /// text. Values are written as they are met; no tree is built of them.
@@ -138,6 +138,12 @@ auto given(bool condition, F f) {
 /// The digits of a number.
 struct Digits {
   std::string text;
+};
+
+/// Point i of a list, as it is stored.
+struct Stored {
+  const PointList& points;
+  std::size_t i;
 };
 
 /// A number where the value is a decimal, else a string "p/q".

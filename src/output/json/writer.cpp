@@ -20,6 +20,29 @@ void Writer::value(double x) {
   text_.append(digits, std::to_chars(digits, digits + sizeof digits, shown).ptr);
 }
 
+void Writer::fraction(const wide::Fraction& x) {
+  text_ += '"';
+  if (!wide::append_exact(text_, x)) text_ += exact_text(wide::quotient(x.n, x.d));
+  text_ += '"';
+}
+
+void Writer::value(const Number& x) {
+  if (!x.is_decimal()) return value(x.held_rational());
+  fraction(wide::lowest(x.mantissa(), wide::kPowersOfTen[static_cast<std::size_t>(x.digits())]));
+}
+
+void Writer::value(const Stored& point) {
+  const WidePoint* p = point.points.wide(point.i);
+  if (p == nullptr) return value(point.points[point.i]);
+  text_ += '[';
+  bool is_first = true;
+  for (const wide::Int128 coordinate : {p->x, p->y}) {
+    separate(is_first);
+    fraction(wide::lowest(coordinate, p->w));
+  }
+  text_ += ']';
+}
+
 void Writer::quoted(std::string_view words) {
   const auto is_plain = [](char c) { return ' ' <= c && c <= '~' && c != '"' && c != '\\'; };
   if (std::all_of(words.begin(), words.end(), is_plain)) return plain(words);

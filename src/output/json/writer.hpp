@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "number/wide.hpp"
 #include "output/json/values.hpp"
 #include "plumbline/complex.hpp"
 
@@ -36,6 +37,8 @@ class Writer {
   void value(double x);
   void value(const Digits& digits) { text_ += digits.text; }
   void value(const Rational& x) { plain(exact_text(x)); }
+  void value(const Number& x);
+  void value(const Stored& point);
   void value(const Point& p) { value(std::tie(p.x, p.y)); }
   void value(const PointD& p) { value(std::tie(p.x, p.y)); }
   void value(const SegmentD& s) { value(std::tie(s.a, s.b)); }
@@ -110,6 +113,7 @@ class Writer {
     char digits[20];
     text_.append(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
   }
+  void fraction(const wide::Fraction& x);
   /// A text without anything that JSON escapes.
   void plain(std::string_view words) { ((text_ += '"') += words) += '"'; }
   void quoted(std::string_view words);
