@@ -86,6 +86,11 @@ expect "one without faces is compared by its edges" 1 '^disagree: 1 finding.*no 
 expect "a result has no radius" 2 'radius' "$plumbline" check c.lines --against c.wkt --radius 1
 echo '{"V": [[0,0]], "EV": [[0,1]]}' >c.json
 expect "a malformed result is an error with its place" 2 'c\.json:1:2.*no such vertex' "$plumbline" check c.lines --against c.json
+expect "compact JSON is written" 0 'wrote compact.json' "$plumbline" arrange c.lines --compact -o compact.json
+expect "and read as a result" 0 '^agree' "$plumbline" check c.lines --against compact.json
+expect "compact is of JSON alone" 2 'ends in .json' "$plumbline" arrange c.lines --compact -o compact.svg
+expect "compact is not of --safe" 2 'safe' "$plumbline" arrange c.lines --compact --safe -o compact.json
+rm compact.json
 expect "a drawing is no result" 2 'unknown file name ending of a result.*\.svg' "$plumbline" check c.lines --against "$examples/dwelling.svg"
 rm -f c.wkt c.json
 expect "lines files are drawings" 0 '3 vertices, 3 edges .0 antennas., 2 faces' "$plumbline" arrange c.lines

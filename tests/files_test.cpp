@@ -10,6 +10,7 @@
 #include "plumbline/check.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
+#include "support/segments.hpp"
 
 using namespace plumbline;
 
@@ -194,6 +195,35 @@ TEST_CASE("result: a malformed arrangement is an error at its place") {
         "f:1:99: face 0, and no other, is without outer boundary");
   CHECK(error("", R"({"outer":null,"holes":[[1]],"isolated_vertices":[]})") ==
         "f:1:115: no such edge: \"1\"");
+}
+
+TEST_CASE("result: a compact arrangement is read back as the complex that it was written of") {
+  const SegmentSet input = segments(rectangle(0, 0, 9, 9) + rectangle(3, 3, 6, 6) +
+                                    "1 1 2 1.5  0 0 1/3 1  20 0 21 0  4 4 5 5  + 5 4  + 30 1");
+  const ExactComplex complex = arrange(input);
+  const files::Result result = files::read_arrangement(to_compact_json(complex, input), "f");
+  CHECK(result.complex.vertices == complex.vertices);
+  CHECK(signature(result.complex) == signature(complex));
+  CHECK(result.has_faces);
+}
+
+TEST_CASE("result: a malformed compact arrangement is an error at its place") {
+  const auto error = [](const std::string& edges, const std::string& faces,
+                        const std::string& isolated) {
+    return error_of(files::read_arrangement,
+                    R"({"format":"plumbline compact arrangement 1","vertices":[["0","0"]],)"
+                    R"("edges":[)" +
+                        edges + R"(],"faces":[)" + faces + R"(],"isolated_vertices":[)" + isolated +
+                        "]}");
+  };
+  CHECK(error("", "[null]", "[0,0]") == "no error");
+  CHECK(error("", "", "") == "f:1:87: no unbounded face");
+  CHECK(error("[0]", "[null]", "") == "f:1:77: expected two vertices");
+  CHECK(error("[0,1]", "[null]", "") == "f:1:81: no such vertex: \"1\"");
+  CHECK(error("", "[]", "") == "f:1:88: expected an outer boundary");
+  CHECK(error("", "[[1]]", "") == "f:1:89: face 0, and no other, is without outer boundary");
+  CHECK(error("", "[null]", "[0]") == "f:1:117: expected a face and a vertex");
+  CHECK(error("", "[null]", "[1,0]") == "f:1:119: no such face: \"1\"");
 }
 
 TEST_CASE("result: what is left out of a result is listed") {

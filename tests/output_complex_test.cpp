@@ -53,6 +53,21 @@ rapidjson::Document json(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("compact JSON is arrays of vertices, edges with their segments, and faces") {
+  const SegmentSet input = segments("0 0 1 0  1 0 0 1/3  0 1/3 0 0  0 0 1 0  + 5 5");
+  const ExactComplex complex = arrange(input);
+  CHECK(to_compact_json(complex, input) ==
+        R"({"format":"plumbline compact arrangement 1",)"
+        R"("signature":")" +
+            signature(complex) +
+            R"(","exact":true,)"
+            R"("vertices":[["0","0"],["0","1/3"],["1","0"],["5","5"]],)"
+            R"("edges":[[0,1,2],[0,2,0,3],[1,2,1]],)"
+            R"("faces":[[null,[1,3,-2]],[[-1,2,-3]]],"isolated_vertices":[[0,3]],)"
+            R"("files":["text"],"rejected":[],"ledger":[]})"
+            "\n");
+}
+
 TEST_CASE("JSON holds exact coordinates as text and their nearest doubles as numbers") {
   const SegmentSet input = segments("0 0 0.1 1/3");
   const auto document = json(to_json(arrange(input), input));

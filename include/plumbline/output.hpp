@@ -22,8 +22,13 @@ struct Structure;
 /// signature.
 std::string to_json(const ExactComplex& complex, const SegmentSet& input);
 
-/// The same with numbers that are proven to be those of the same complex: of `complex` itself where
-/// the rounding keeps its incidences, else of the snap rounded complex, and what has changed.
+/// The same complex in a third of the bytes, without what follows from the rest: exact vertices,
+/// edges with the segments that cover them and faces, as arrays. The segments are those of the
+/// input.
+std::string to_compact_json(const ExactComplex& complex, const SegmentSet& input);
+
+/// As `to_json`, with numbers that are proven to be those of the same complex: of `complex` itself
+/// where the rounding keeps its incidences, else of the snap rounded complex, and what has changed.
 std::string to_json(const ExactComplex& complex, const SegmentSet& input, const Grid& grid,
                     const Rounding& rounding);
 

@@ -37,10 +37,17 @@ void write_certificate(const ArrangeArguments& arguments, const Drawing& drawing
              lines, of);
 }
 
+std::string output_of(const ArrangeArguments& arguments, const Drawing& drawing) {
+  if (arguments.compact) return to_compact_json(drawing.complex, drawing.input);
+  if (ending(*arguments.output) == ".json") return to_json(drawing.complex, drawing.input);
+  return to_svg(drawing.complex, drawing.input.y_up);
+}
+
 }  // namespace
 
 ExitCode run(const ArrangeArguments& arguments) {
-  std::vector<std::string> endings{".json", ".svg"};
+  std::vector<std::string> endings{".json"};
+  if (!arguments.compact) endings.emplace_back(".svg");
   if (arguments.safe) endings.emplace_back(".lines");
   check_outputs(arguments.file,
                 {{arguments.output, endings}, {arguments.certificate, {".certificate"}}});
@@ -55,9 +62,7 @@ ExitCode run(const ArrangeArguments& arguments) {
     fmt::print("{}\n", output.line);
     print_written(*arguments.output);
   } else if (arguments.output) {
-    write_file(*arguments.output, ending(*arguments.output) == ".json"
-                                      ? to_json(drawing.complex, drawing.input)
-                                      : to_svg(drawing.complex, drawing.input.y_up));
+    write_file(*arguments.output, output_of(arguments, drawing));
     print_written(*arguments.output);
   }
   if (arguments.certificate) write_certificate(arguments, drawing);

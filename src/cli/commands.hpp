@@ -47,7 +47,8 @@ struct DrawingArguments : InputArguments {
 struct ArrangeArguments : DrawingArguments {
   std::optional<std::string> output;
   std::optional<std::string> certificate;
-  bool safe = false;  ///< prove that what is written, rounded, is a valid complex
+  bool compact = false;  ///< JSON as short arrays
+  bool safe = false;     ///< prove that what is written, rounded, is a valid complex
   Grid grid;
 };
 

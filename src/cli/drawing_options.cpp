@@ -140,11 +140,17 @@ CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments) {
                        "Write the complex to a .json or .svg file; with --safe also its edges to a "
                        ".lines file")
           ->type_name("FILE");
+  CLI::Option* compact =
+      command
+          ->add_flag("--compact", arguments.compact,
+                     "A .json file of a third of the bytes: arrays, without what follows from them")
+          ->needs(output);
   CLI::Option* safe = command
                           ->add_flag("--safe", arguments.safe,
                                      "Write nearest doubles only if they are proven to form the "
                                      "same complex, else the snap rounded complex, proven too")
-                          ->needs(output);
+                          ->needs(output)
+                          ->excludes(compact);
   command->add_option("--decimals", arguments.grid.decimals, "Of --safe: N decimals, not doubles")
       ->check(CLI::Range(0, Grid::kMaxDecimals))
       ->needs(safe)
