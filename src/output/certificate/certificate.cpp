@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "number/wide.hpp"
 #include "output/certificate/reasons.hpp"
 
 namespace plumbline {
@@ -11,7 +12,7 @@ namespace {
 class Text {
  public:
   Text& field(std::string_view field) {
-    if (!text_.empty() && text_.back() != '\n') text_ += ' ';
+    separate();
     text_ += field;
     return *this;
   }
@@ -20,8 +21,21 @@ class Text {
     const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
     return field(std::string_view(digits, end - digits));
   }
-  Text& field(const Rational& number) { return field(number.get_str()); }
+  Text& field(const wide::Fraction& number) {
+    separate();
+    wide::append_fraction(text_, number, 10);
+    return *this;
+  }
+  Text& field(const Rational& number) {
+    const auto fraction = wide::fraction(number);
+    return fraction ? field(*fraction) : field(number.get_str());
+  }
   Text& field(const Point& p) { return field(p.x).field(p.y); }
+  Text& field(const PointList& points, std::size_t i) {
+    const WidePoint* p = points.wide(i);
+    if (p == nullptr) return field(points[i]);
+    return field(wide::lowest(p->x, p->w)).field(wide::lowest(p->y, p->w));
+  }
   /// "-" where there is none.
   template <class Id>
   Text& field_or_none(Id id) {
@@ -37,6 +51,10 @@ class Text {
   std::string take() { return std::move(text_); }
 
  private:
+  void separate() {
+    if (!text_.empty() && text_.back() != '\n') text_ += ' ';
+  }
+
   std::string text_;
 };
 
@@ -44,7 +62,7 @@ void add_vertices(Text& text, const ExactComplex& complex, const SegmentSet& inp
   const std::vector<std::string> reasons = certificate_steps::reasons(complex, input);
   text.section("vertices", complex.vertices.size());
   for (std::size_t v = 0; v < complex.vertices.size(); ++v)
-    text.field(complex.vertices[v]).field(reasons[v]).line();
+    text.field(complex.vertices, v).field(reasons[v]).line();
 }
 
 void add_edges(Text& text, const ExactComplex& complex, std::size_t segments) {
