@@ -11,24 +11,32 @@
 namespace plumbline {
 namespace {
 
-/// Whether an edge on a line goes on along it into the next one, decided once for each pair of
-/// them: where many segments lie on one line, they have the same pairs.
+/// Whether an edge on a line goes on along it into the next one, which begins where it ends,
+/// decided once for each pair of them: where many segments lie on one line, they have the same
+/// pairs.
 class StraightOn {
  public:
   explicit StraightOn(const ExactComplex& complex) : c_(complex), next_(complex.edge_count()) {}
 
   /// Requires: e lies on the line through the segment.
   bool operator()(EdgeId e, EdgeId f, std::span<const Number, 4> segment) {
-    if (c_.edges[e].head != c_.edges[f].tail) return false;
-    if (next_[e] == f) return true;
+    const bool is_shared = c_.edge_sources[f].size() > 1;
+    if (is_shared && next_[e] == f) return true;
     if (!is_on_line(c_.vertices, c_.edges[f].head, segment)) return false;
-    next_[e] = f;
+    if (is_shared) next_[e] = f;
     return true;
   }
 
  private:
   const ExactComplex& c_;
   std::vector<EdgeId> next_;  ///< per edge the one that it was found to go on into
+};
+
+/// The edges of a segment as far as they are known, one after the other along its line.
+struct Walk {
+  EdgeId last;
+  VertexId reached;
+  bool is_doubtful = false;
 };
 
 class Coverage {
@@ -52,8 +60,7 @@ class Coverage {
   /// edges with sources that are none.
   std::vector<SegmentId> doubtful_segments() {
     const std::size_t count = input_.segments.size();
-    std::vector<EdgeId> last(count);  // of the chain so far
-    std::vector<bool> is_doubtful(count, false);
+    std::vector<Walk> walks(count);
     StraightOn goes_straight_on(c_);
     for (std::size_t i = 0; i < c_.edge_count(); ++i) {
       const EdgeId e(i);
@@ -63,17 +70,20 @@ class Coverage {
           report("an edge names a segment that is not in the input", e);
           continue;
         }
-        if (is_doubtful[s]) continue;
+        Walk& walk = walks[s];
+        if (walk.is_doubtful) continue;
         const auto segment = input_.segments.numbers(s);
-        is_doubtful[s] =
-            last[s].valid() ? !goes_straight_on(last[s], e, segment) : !begins(e, segment);
-        last[s] = e;
+        const bool goes_on = walk.last.valid() ? walk.reached == c_.edges[e].tail &&
+                                                     goes_straight_on(walk.last, e, segment)
+                                               : begins(e, segment);
+        walk = {e, c_.edges[e].head, !goes_on};
       }
     }
     std::vector<SegmentId> doubtful;
     for (std::size_t s = 0; s < count; ++s) {
+      const Walk& walk = walks[s];
       const bool is_covered =
-          last[s].valid() && !is_doubtful[s] && ends(last[s], input_.segments.numbers(s));
+          walk.last.valid() && !walk.is_doubtful && ends(walk.reached, input_.segments.numbers(s));
       if (!is_covered) doubtful.emplace_back(s);
     }
     return doubtful;
@@ -88,10 +98,10 @@ class Coverage {
     return is_at(c_.vertices, c_.edges[e].tail, end[0], end[1]) &&
            is_on_line(c_.vertices, c_.edges[e].head, segment);
   }
-  /// Whether e ends at the segment's last end.
-  bool ends(EdgeId e, std::span<const Number, 4> segment) const {
+  /// Whether v is the segment's last end.
+  bool ends(VertexId v, std::span<const Number, 4> segment) const {
     const auto end = runs_forward(segment) ? segment.last<2>() : segment.first<2>();
-    return is_at(c_.vertices, c_.edges[e].head, end[0], end[1]);
+    return is_at(c_.vertices, v, end[0], end[1]);
   }
 
   /// Per segment its edges, of the doubtful ones only.
