@@ -69,8 +69,8 @@ class Arrangement {
   PointD nearest(VertexId v) const;
 
   /// The same as an exact complex in canonical order. Cost: O(n log n); a third of a microsecond a
-  /// vertex where coordinates are decimals of some 11 digits, some microseconds for other rationals;
-  /// the progress callback is not told of it.
+  /// vertex where coordinates are decimals of some 11 digits, some microseconds for other
+  /// rationals; the progress callback is not told of it.
   ExactComplex complex() const;
 
  private:

@@ -44,8 +44,8 @@ Rational area(const ExactComplex& complex, CycleId cycle) {
   for (const HalfedgeId h : complex.cycles[cycle])
     chain.push_back(place(complex.vertices, complex.origin(h)));
   chain.push_back(chain.front());
-  Fraction twice = twice_area(chain);
-  Rational result(std::move(twice.n), std::move(twice.d) * 2);
+  const Fraction twice = twice_area(chain);
+  Rational result(twice.n, 2 * twice.d);
   result.canonicalize();
   return result;
 }
