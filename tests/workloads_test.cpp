@@ -57,7 +57,7 @@ TEST_CASE("tiles of a drawing that do not touch have its counts times their numb
 
 TEST_CASE("a name that is no workload's, and a missing drawing, are errors") {
   const char* name =
-      GENERATE("", "R1", "R1_", "R1_x", "R1_0", "R1_1e9", "R1_1.5", "Q_10", "R1_10x");
+      GENERATE("", "R1", "R1_", "R1_x", "R1_0", "R1_1e9", "R1_1.5", "X_10", "R1_10x");
   CHECK_THROWS_AS(inputs::workload(name), Error);
   CHECK_THROWS_AS(inputs::workload("P_1", "no such directory"), Error);
 }

@@ -71,11 +71,13 @@ Case hostile(const inputs::Hostile& input, std::size_t index, bool quick) {
 }  // namespace
 
 std::vector<Case> cases(bool quick, const std::filesystem::path& drawings) {
-  static const std::vector<std::string> kQuick{"R1_1e3", "R1_1e4", "R5_5e3", "G_300",
-                                               "Gr_300", "D_1e4",  "S_1e4",  "S1_1e3"};
+  static const std::vector<std::string> kQuick{"R1_1e3", "R1_1e4", "R5_5e3", "G_300", "Gr_300",
+                                               "D_1e4",  "S_1e4",  "S1_1e3", "F_1e4", "T_30",
+                                               "Q_4e3",  "I_1e4",  "L_1e4"};
   static const std::vector<std::string> kFull{
       "R1_1e4",  "R1_1e5", "R1_1e6", "R1_5e6", "R5_5e3", "R5_1e5", "G_300", "G_1000", "Gr_300",
-      "Gr_1000", "D_1e4",  "D_1e5",  "D_1e6",  "S_1e4",  "S_1e5",  "S_1e6", "S1_1e3", "S1_1e4"};
+      "Gr_1000", "D_1e4",  "D_1e5",  "D_1e6",  "S_1e4",  "S_1e5",  "S_1e6", "S1_1e3", "S1_1e4",
+      "F_1e5",   "F_1e6",  "T_100",  "T_300",  "Q_4e4",  "I_1e5",  "I_4e5", "L_1e5"};
   static const std::vector<std::string> kQuickDrawings{"P_1"},
       kFullDrawings{"P_1", "P_10", "P_100"};
   static const std::vector<std::string> kQuickTexts{"R1_1e4"}, kFullTexts{"R1_1e5", "R1_1e6"};

@@ -137,6 +137,44 @@ SegmentSet comb(Size teeth) {
   return builder.take();
 }
 
+/// R1 and one segment far away.
+SegmentSet one_far_away(Size n) {
+  SegmentSet set = random_segments(n);
+  const Rational far = Rational(mpz_class("1000000000000000000000000000000"));
+  set.add({{far, far}, {far, 2 * far}}, SourceId(0));
+  return set;
+}
+
+SegmentSet stairs_of_slants(Size n) {
+  IntegerBuilder builder;
+  for (long i = 0; i < signed_size(n); ++i) {
+    builder.add(i, -3 * i, 10'000'000 + i, 3'000'000 - 3 * i);
+  }
+  return builder.take();
+}
+
+SegmentSet concentric_triangles(Size n) {
+  IntegerBuilder builder;
+  for (long i = 1; i <= signed_size(n); ++i) {
+    const long k = 7 * i;
+    builder.add(-3 * k, -2 * k, 4 * k, -3 * k);
+    builder.add(4 * k, -3 * k, k, 5 * k);
+    builder.add(k, 5 * k, -3 * k, -2 * k);
+  }
+  return builder.take();
+}
+
+/// Level lines and, beside them, as many upright ones.
+SegmentSet two_bundles(Size n) {
+  IntegerBuilder builder;
+  const long length = 20 * signed_size(n);
+  for (long i = 0; i < signed_size(n); ++i) {
+    builder.add(0, i, length, i);
+    builder.add(-1 - i, 0, -1 - i, length);
+  }
+  return builder.take();
+}
+
 std::optional<Cells> unknown(Size) { return std::nullopt; }
 std::optional<Cells> one_edge(Size) { return Cells{2, 1, 1}; }
 std::optional<Cells> disjoint(Size n) { return Cells{2 * n, n, 1}; }
@@ -146,6 +184,8 @@ std::optional<Cells> one_more_than_disjoint(Size n) { return disjoint(n + 1); }
 std::optional<Cells> successive_chain(Size n) { return Cells{n + kOverlap, n + kOverlap - 1, 1}; }
 std::optional<Cells> lines_through_a_point(Size n) { return Cells{2 * n + 1, 2 * n, 1}; }
 std::optional<Cells> squares_cells(Size n) { return Cells{4 * n, 4 * n, n + 1}; }
+std::optional<Cells> triangles_cells(Size n) { return Cells{3 * n, 3 * n, n + 1}; }
+std::optional<Cells> two_bundles_cells(Size n) { return disjoint(2 * n); }
 std::optional<Cells> comb_cells(Size n) { return Cells{2 * n + 2, 2 * n + 1, 1}; }
 
 /// Those of random_segments, which affine maps and copies leave as they are.
@@ -184,6 +224,10 @@ const std::vector<Hostile>& hostile() {
       {"parallel diagonals", hatch, k1e4, 100, disjoint},
       {"parallel diagonals", hatch, k1e5, 1000, disjoint},
       {"concentric squares", concentric_squares, k1e4, 50, squares_cells},
+      {"concentric triangles", concentric_triangles, k1e5, 50, triangles_cells},
+      {"R1 and one segment at 1e30", one_far_away, k1e5, k1e3, with_a_wall},
+      {"slanted parallels that begin ever lower", stairs_of_slants, k1e5, k1e3, disjoint},
+      {"two bundles of parallels", two_bundles, k1e5, k1e3, two_bundles_cells},
       {"a comb", comb, k1e5, 100, comb_cells},
   };
   return all;

@@ -1,5 +1,7 @@
 #include "inputs/workloads.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -71,6 +73,21 @@ class LatticeBuilder {
   }
 
   long per_unit_;
+  SegmentSet set_;
+  SourceId source_;
+};
+
+/// A SegmentSet from doubles, as the decimals of 17 digits that stand for them in files.
+class DoubleBuilder {
+ public:
+  DoubleBuilder() : source_(set_.add_source({})) {}
+  void add(const PointD& a, const PointD& b) { set_.add(point(a), point(b), source_); }
+  SegmentSet take() { return std::move(set_); }
+
+ private:
+  static Number number(double v) { return parse_number(fmt::format("{:.17g}", v)); }
+  static NumberPoint point(const PointD& p) { return {number(p.x), number(p.y)}; }
+
   SegmentSet set_;
   SourceId source_;
 };
@@ -225,6 +242,91 @@ SegmentSet pencil(std::uint64_t n) {
   return builder.take();
 }
 
+SegmentSet double_segments(std::uint64_t n) {
+  Random random(1000 + n);
+  DoubleBuilder builder;
+  const double length = std::sqrt(kPi / static_cast<double>(n));
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double x = length / 2 + (1 - length) * random.real();
+    const double y = length / 2 + (1 - length) * random.real();
+    const double angle = kPi * random.real();
+    const double dx = length / 2 * std::cos(angle), dy = length / 2 * std::sin(angle);
+    builder.add({x - dx, y - dy}, {x + dx, y + dy});
+  }
+  return builder.take();
+}
+
+SegmentSet turned_rooms(std::uint64_t m) {
+  constexpr double kWidth = 5, kHeight = 4, kAngle = 0.3;
+  const double c = std::cos(kAngle), s = std::sin(kAngle);
+  const auto corner = [&](std::uint64_t i, std::uint64_t j) {
+    const double x = kWidth * static_cast<double>(i), y = kHeight * static_cast<double>(j);
+    return PointD{c * x - s * y, s * x + c * y};
+  };
+  DoubleBuilder builder;
+  for (std::uint64_t i = 0; i < m; ++i) {
+    for (std::uint64_t j = 0; j < m; ++j) {
+      builder.add(corner(i, j), corner(i + 1, j));
+      builder.add(corner(i + 1, j), corner(i + 1, j + 1));
+      builder.add(corner(i + 1, j + 1), corner(i, j + 1));
+      builder.add(corner(i, j + 1), corner(i, j));
+    }
+  }
+  return builder.take();
+}
+
+SegmentSet rational_copies(std::uint64_t n) {
+  constexpr int kRooms = 20, kReach = 200, kTangent = 10'000'000;
+  Random random(55 + n);
+  LatticeBuilder builder(1);
+  for (std::uint64_t copy = 0; copy < n / (2 * kRooms * kRooms); ++copy) {
+    const Rational t = Rational(1 + random.below(kTangent)) / (1 + random.below(kTangent));
+    const Rational c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
+    const Rational x = random.below(kReach), y = random.below(kReach);
+    const auto at = [&](int i, int j) {
+      return Point{Rational(c * i - s * j + x), Rational(s * i + c * j + y)};
+    };
+    for (int i = 0; i < kRooms; ++i) {
+      for (int j = 0; j < kRooms; ++j) {
+        builder.add({at(i, j), at(i + 1, j)});
+        builder.add({at(i, j), at(i, j + 1)});
+      }
+    }
+  }
+  return builder.take();
+}
+
+SegmentSet tiny_pieces(std::uint64_t n) {
+  constexpr double kSide = 10'000, kHalf = 0.25;
+  Random random(66 + n);
+  LatticeBuilder builder(kMicro);
+  while (builder.size() < n) {
+    const double x = kSide * random.real(), y = kSide * random.real(), angle = kPi * random.real();
+    const double dx = kHalf * std::cos(angle), dy = kHalf * std::sin(angle);
+    builder.add(builder.rounded(x - dx, y - dy), builder.rounded(x + dx, y + dy));
+  }
+  return builder.take();
+}
+
+SegmentSet streets(std::uint64_t n) {
+  constexpr std::uint64_t kEdges = 50;
+  constexpr double kLength = 0.01, kTurn = 0.6;
+  const double side = kLength * std::sqrt(static_cast<double>(n)) * 4;
+  Random random(88 + n);
+  LatticeBuilder builder(10 * kMicro);
+  for (std::uint64_t street = 0; street < n / kEdges; ++street) {
+    double x = side * random.real(), y = side * random.real(), angle = 2 * kPi * random.real();
+    for (std::uint64_t edge = 0; edge < kEdges; ++edge) {
+      angle += kTurn * (random.real() - 0.5);
+      const double nx = x + kLength * std::cos(angle), ny = y + kLength * std::sin(angle);
+      builder.add(builder.rounded(x, y), builder.rounded(nx, ny));
+      x = nx;
+      y = ny;
+    }
+  }
+  return builder.take();
+}
+
 SegmentSet tiles(const SegmentSet& drawing, std::uint64_t count, int dx, int dy) {
   LatticeBuilder builder(1);
   for (std::uint64_t tile = 0; tile < count; ++tile) {
@@ -255,6 +357,11 @@ SegmentSet workload(const std::string& name, const std::filesystem::path& direct
   if (family == "D") return lattice_segments(size);
   if (family == "S") return stars(size);
   if (family == "S1") return pencil(size);
+  if (family == "F") return double_segments(size);
+  if (family == "T") return turned_rooms(size);
+  if (family == "Q") return rational_copies(size);
+  if (family == "I") return tiny_pieces(size);
+  if (family == "L") return streets(size);
   if (family == "P") return tiles(hospital(directory), size, 100, 130);
   throw Error(ErrorCode::BadInput, "not the name of a workload", {}, name);
 }
@@ -277,6 +384,7 @@ const std::vector<Known>& known() {
       {"S_1e4", 10000, 20266, 20342, 137, 495155},
       {"S_1e5", 100000, 203205, 204464, 1810, 4951944},
       {"S1_1e3", 1000, 2001, 2000, 1, 499500},
+      {"T_100", 40000, 10201, 20200, 10001, 0},
       {"P_1", 7439, 1162, 1499, 414, 4620},
       {"P_10", 74390, 11620, 14990, 4131, 46200},
       {"P_100", 743900, 116200, 149900, 41301, 462000},
