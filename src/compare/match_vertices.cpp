@@ -3,19 +3,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "compare/moved_vertices.hpp"
 #include "compare/near_vertices.hpp"
 #include "compare/sole_neighbours.hpp"
 #include "compare/steps.hpp"
+#include "geometry/point_d.hpp"
 
 namespace plumbline::compare_steps {
 namespace {
 
+/// A pair of vertices that may be one; `distance` is off by at most the slack of both lists.
 struct Candidate {
-  VertexId exact_vertex;
-  Near near;  ///< of the float complex
+  VertexId exact_vertex, float_vertex;
+  double distance;
 };
+
+/// Distances of the exact from the float vertices.
+class Distances {
+ public:
+  explicit Distances(const Sides& sides)
+      : sides_(sides), slack_(distance_slack(sides.points[Exact], sides.points[Float])) {}
+
+  double rough(VertexId v, VertexId w) const {
+    return distance(sides_.points[Exact].rough(v), sides_.points[Float].rough(w));
+  }
+  Rational squared(VertexId v, VertexId w) const {
+    return squared_distance(sides_.point(Exact, v), sides_.point(Float, w));
+  }
+  bool are_within_tolerance(const Candidate& c) const {
+    if (c.distance + 2 * slack_ < sides_.tolerance) return true;
+    if (c.distance > sides_.tolerance + 2 * slack_) return false;
+    return squared(c.exact_vertex, c.float_vertex) <= sides_.squared_tolerance;
+  }
+  /// Whether doubles tell which of the two is less.
+  bool are_apart(double a, double b) const { return std::abs(a - b) > 2 * slack_; }
+  /// The largest squared distance; 0 for none.
+  Rational largest_squared(const std::vector<Candidate>& pairs) const;
+
+ private:
+  const Sides& sides_;
+  const double slack_;
+};
+
+Rational Distances::largest_squared(const std::vector<Candidate>& pairs) const {
+  double farthest = 0;
+  for (const Candidate& pair : pairs) farthest = std::max(farthest, pair.distance);
+  Rational result = 0;
+  for (const Candidate& pair : pairs)
+    if (!are_apart(pair.distance, farthest))
+      result = std::max(result, squared(pair.exact_vertex, pair.float_vertex));
+  return result;
+}
 
 VertexMatch nothing_matched(const Sides& sides) {
   VertexMatch result;
@@ -47,58 +88,73 @@ void match_equal(VertexMatch& result, const Sides& sides) {
 }
 
 /// Matches the vertices that have no choice; returns whether each exact vertex is done with.
-std::vector<bool> match_sole_pairs(VertexMatch& result, const Sides& sides) {
+std::vector<bool> match_sole_pairs(VertexMatch& result, const Sides& sides,
+                                   const Distances& distances) {
   std::vector<bool> is_done(sides[Exact].vertices.size());
   for (std::size_t v = 0; v < is_done.size(); ++v) is_done[v] = result.match[Exact][v].valid();
-  const double slack = distance_slack(sides.points[Exact], sides.points[Float]);
-  double farthest = 0;
-  const auto exact_distance = [&](const SolePair& pair) {
-    return squared_distance(sides.points[Exact][pair.exact], sides.points[Float][pair.other]);
-  };
-  std::vector<SolePair> pairs =
-      sole_pairs(sides.points[Exact], sides.points[Float], sides.tolerance);
-  std::erase_if(pairs, [&](const SolePair& pair) {
-    if (is_done[pair.exact]) return true;
+  std::vector<Candidate> matched;
+  for (const SolePair& pair :
+       sole_pairs(sides.points[Exact], sides.points[Float], sides.tolerance)) {
+    if (is_done[pair.exact]) continue;
     is_done[pair.exact] = true;
-    const bool is_certain = pair.distance + 2 * slack < sides.tolerance;
-    if (!is_certain && exact_distance(pair) > sides.squared_tolerance) return true;
-    match(result, VertexId(pair.exact), VertexId(pair.other));
-    farthest = std::max(farthest, pair.distance);
-    return false;
-  });
-  for (const SolePair& pair : pairs)
-    if (pair.distance + 2 * slack >= farthest)
-      result.largest_squared = std::max(result.largest_squared, exact_distance(pair));
+    const Candidate candidate{VertexId(pair.exact), VertexId(pair.other), pair.distance};
+    if (!distances.are_within_tolerance(candidate)) continue;
+    match(result, candidate.exact_vertex, candidate.float_vertex);
+    matched.push_back(candidate);
+  }
+  result.largest_squared = distances.largest_squared(matched);
   return is_done;
 }
 
-std::vector<Candidate> candidates_nearest_first(const Sides& sides, const NearVertices& floats,
+/// The pairs of vertices without a match that lie within the tolerance, nearest first.
+std::vector<Candidate> candidates_nearest_first(const VertexMatch& matched, const Sides& sides,
+                                                const Distances& distances,
+                                                const NearVertices& floats,
                                                 const std::vector<bool>& is_done) {
-  std::vector<Candidate> result;
-  for (std::size_t v = 0; v < sides[Exact].vertices.size(); ++v) {
-    if (is_done[v]) continue;
-    for (Near& near :
-         floats.within(sides[Exact].vertices[v], sides.tolerance, sides.squared_tolerance))
-      result.push_back({VertexId(v), std::move(near)});
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < is_done.size(); ++i) {
+    if (is_done[i]) continue;
+    const VertexId v(i);
+    for (const VertexId w : floats.proposals(sides.points[Exact].rough(v), sides.tolerance)) {
+      if (matched.match[Float][w].valid()) continue;
+      const Candidate candidate{v, w, distances.rough(v, w)};
+      if (distances.are_within_tolerance(candidate)) candidates.push_back(candidate);
+    }
   }
-  std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
-    const int by_distance = cmp(a.near.squared_distance, b.near.squared_distance);
+  std::vector<std::size_t> order(candidates.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::optional<Rational>> squared(candidates.size());  // of those asked for
+  const auto squared_of = [&](std::size_t i) -> const Rational& {
+    if (!squared[i])
+      squared[i] = distances.squared(candidates[i].exact_vertex, candidates[i].float_vertex);
+    return *squared[i];
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    const Candidate &a = candidates[i], &b = candidates[j];
+    if (distances.are_apart(a.distance, b.distance)) return a.distance < b.distance;
+    const int by_distance = cmp(squared_of(i), squared_of(j));
     if (by_distance != 0) return by_distance < 0;
-    return std::pair(a.exact_vertex, a.near.vertex) < std::pair(b.exact_vertex, b.near.vertex);
+    return std::pair(a.exact_vertex, a.float_vertex) < std::pair(b.exact_vertex, b.float_vertex);
   });
+  std::vector<Candidate> result;
+  for (const std::size_t i : order) result.push_back(candidates[i]);
   return result;
 }
 
 VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
+  const Distances distances(sides);
   VertexMatch result = nothing_matched(sides);
   match_equal(result, sides);
-  const std::vector<bool> is_done = match_sole_pairs(result, sides);
-  for (const Candidate& candidate : candidates_nearest_first(sides, floats, is_done)) {
-    const VertexId v = candidate.exact_vertex, w = candidate.near.vertex;
+  const std::vector<bool> is_done = match_sole_pairs(result, sides, distances);
+  std::vector<Candidate> matched;
+  for (const Candidate& candidate :
+       candidates_nearest_first(result, sides, distances, floats, is_done)) {
+    const VertexId v = candidate.exact_vertex, w = candidate.float_vertex;
     if (result.match[Exact][v].valid() || result.match[Float][w].valid()) continue;
     match(result, v, w);
-    result.largest_squared = std::max(result.largest_squared, candidate.near.squared_distance);
+    matched.push_back(candidate);
   }
+  result.largest_squared = std::max(result.largest_squared, distances.largest_squared(matched));
   return result;
 }
 
@@ -188,7 +244,7 @@ void account_for_unmatched(VertexMatch& result, const Sides& sides, Side side,
   for (std::size_t i = 0; i < sides[side].vertices.size(); ++i) {
     const VertexId v(i);
     if (result.match[side][v].valid()) continue;
-    const std::optional<Near> near = others.nearest_to(sides.point(side, v));
+    const std::optional<Near> near = others.nearest_to(sides.points[side], v);
     if (near && near->squared_distance <= sides.squared_tolerance) {
       result.image[side][v] = near->vertex;
       joined_into[near->vertex].push_back(v);

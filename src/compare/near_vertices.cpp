@@ -1,4 +1,5 @@
-// Proposes vertices near a point by a KD-tree on doubles, confirms them by exact distances.
+// Proposes vertices near a point by a KD-tree on doubles, confirms them by exact distances where
+// rounded ones are too near each other to tell.
 
 #include "compare/near_vertices.hpp"
 
@@ -6,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/sole_neighbours.hpp"
+#include "geometry/point_d.hpp"
 #include "geometry/point_tree.hpp"
 
 namespace plumbline::compare_steps {
@@ -37,7 +40,6 @@ struct NearVertices::Tree {
   PointD scaled(const PointD& p) const {
     return {std::ldexp(finite(p.x), -exponent), std::ldexp(finite(p.y), -exponent)};
   }
-  PointD scaled(const Point& p) const { return scaled(PointD{p.x.get_d(), p.y.get_d()}); }
 
  private:
   static int exponent_of(const FilteredPoints& vertices) {
@@ -65,37 +67,32 @@ const NearVertices::Tree& NearVertices::tree() const {
   return *tree_;
 }
 
-std::vector<Near> NearVertices::confirmed(const Point& p,
-                                          const std::vector<std::size_t>& proposals) const {
-  std::vector<Near> result;
-  for (const std::size_t i : proposals)
-    result.push_back({VertexId(i), squared_distance(p, vertices_[i])});
-  std::sort(result.begin(), result.end(), [](const Near& a, const Near& b) {
-    const int by_distance = cmp(a.squared_distance, b.squared_distance);
-    return by_distance != 0 ? by_distance < 0 : a.vertex < b.vertex;
-  });
-  return result;
-}
-
-std::vector<Near> NearVertices::within(const Point& p, double tolerance,
-                                       const Rational& squared_tolerance) const {
+std::vector<VertexId> NearVertices::proposals(const PointD& rough, double tolerance) const {
   const Tree& tree = this->tree();
-  const PointD q = tree.scaled(p);
+  const PointD q = tree.scaled(rough);
   const double magnitude = std::max({1.0, std::abs(q.x), std::abs(q.y)});
   const double radius =
       std::ldexp(tolerance, -tree.exponent) * (1 + kDistanceSlack) + magnitude * kDistanceSlack;
-  std::vector<Near> result = confirmed(p, tree.index.nearest(q, kMaxNeighbours, radius));
-  const auto is_far = [&](const Near& near) { return near.squared_distance > squared_tolerance; };
-  result.erase(std::find_if(result.begin(), result.end(), is_far), result.end());
-  return result;
+  const std::vector<std::size_t> found = tree.index.nearest(q, kMaxNeighbours, radius);
+  return {found.begin(), found.end()};
 }
 
-std::optional<Near> NearVertices::nearest_to(const Point& p) const {
+std::optional<Near> NearVertices::nearest_to(const FilteredPoints& points, std::size_t p) const {
   const Tree& tree = this->tree();
-  const std::vector<Near> found = confirmed(
-      p, tree.index.nearest(tree.scaled(p), kNearestProposals, std::numeric_limits<double>::max()));
-  if (found.empty()) return std::nullopt;
-  return found.front();
+  const std::vector<std::size_t> found = tree.index.nearest(
+      tree.scaled(points.rough(p)), kNearestProposals, std::numeric_limits<double>::max());
+  const double slack = distance_slack(points, vertices_);
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : found)
+    least = std::min(least, distance(points.rough(p), vertices_.rough(i)));
+  std::optional<Near> nearest;
+  for (const std::size_t i : found) {
+    if (distance(points.rough(p), vertices_.rough(i)) > least + 2 * slack) continue;
+    Near near{VertexId(i), squared_distance(points[p], vertices_[i])};
+    const int order = nearest ? cmp(near.squared_distance, nearest->squared_distance) : -1;
+    if (order < 0 || (order == 0 && near.vertex < nearest->vertex)) nearest = std::move(near);
+  }
+  return nearest;
 }
 
 }  // namespace plumbline::compare_steps

@@ -16,7 +16,8 @@ struct Near {
 };
 
 /// Finds the vertices of a complex near a point. A KD-tree on rounded coordinates proposes, exact
-/// distances decide. Cost: O(n log n) for the first query, O(log n) for another.
+/// distances decide where rounded ones do not. Cost: O(n log n) for the first query, O(log n) for
+/// another.
 class NearVertices {
  public:
   /// Keeps a reference to the vertices.
@@ -24,20 +25,17 @@ class NearVertices {
   ~NearVertices();
   NearVertices(NearVertices&&) noexcept;
 
-  /// The vertices within `tolerance` of p, nearest first, then by index; of more than
-  /// kMaxNeighbours the nearest ones.
-  std::vector<Near> within(const Point& p, double tolerance,
-                           const Rational& squared_tolerance) const;
-  /// The nearest vertex, the least of several; none in a complex without vertices.
-  std::optional<Near> nearest_to(const Point& p) const;
+  /// All vertices within `tolerance` of the point, and some that may be a little further away; of
+  /// more than kMaxNeighbours the nearest ones. Points are given by their rough coordinates.
+  std::vector<VertexId> proposals(const PointD& rough, double tolerance) const;
+  /// The vertex nearest to point p, the least of several; none in a complex without vertices.
+  std::optional<Near> nearest_to(const FilteredPoints& points, std::size_t p) const;
 
   /// Bounds the work where the tolerance is far larger than the drawing's features.
   static constexpr std::size_t kMaxNeighbours = 32;
 
  private:
   struct Tree;
-  std::vector<Near> confirmed(const Point& p, const std::vector<std::size_t>& proposals) const;
-
   const Tree& tree() const;
 
   const FilteredPoints& vertices_;
