@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
+#include <random>
 
+#include "compare/overlay.hpp"
 #include "compare/winding.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/compare.hpp"
@@ -46,6 +49,29 @@ CellLists squares(std::initializer_list<std::array<double, 3>> corners_and_sides
         {{VertexId(first), VertexId(first + 1), VertexId(first + 2), VertexId(first + 3)}});
   }
   return cells;
+}
+
+/// So many segments between places of a small grid, many of which overlap.
+std::string on_grid(std::mt19937& random, std::size_t count, unsigned side) {
+  std::string text;
+  for (std::size_t i = 0; i < 4 * count; ++i) text += std::to_string(random() % side) + ' ';
+  return text;
+}
+
+/// The area of each pair of faces (0: none), of some of the faces of each side.
+std::map<std::pair<std::size_t, std::size_t>, Rational> overlaps(
+    const compare_steps::Sides& sides, const compare_steps::Both<std::vector<std::size_t>>& faces,
+    bool are_valid) {
+  std::map<std::pair<std::size_t, std::size_t>, Rational> result;
+  const auto regions = compare_steps::overlay(sides, faces, are_valid);
+  REQUIRE(regions);
+  for (const compare_steps::Region& region : *regions) {
+    const auto face = [&](compare_steps::Side side) {
+      return region.faces[side].empty() ? 0 : region.faces[side].front();
+    };
+    result[{face(compare_steps::Exact), face(compare_steps::Float)}] += region.area;
+  }
+  return result;
 }
 
 /// What is wrong with the areas that the polygons cover.
@@ -154,4 +180,28 @@ TEST_CASE("windings count how often boundaries run around a place") {
   CHECK(at({3, 3}) == Windings{{3, 1}, {7, 2}});
   CHECK(at({Rational(3, 2), Rational(3, 2)}) == Windings{{3, 1}, {5, -1}, {7, 2}});
   CHECK_FALSE(compare_steps::overlaid({{{0, 0}, {rational_from(1e300), 0}, 0, EdgeId()}}, {}));
+}
+
+TEST_CASE("the areas that valid complexes have in common are those of their arrangement") {
+  std::mt19937 random(1);
+  std::size_t pairs = 0;
+  for (std::size_t round = 0; round < 300; ++round) {
+    const auto size = static_cast<unsigned>(3 + round % 6);
+    const std::string drawing = on_grid(random, 4 + round % 17, size);
+    // Drawings that have nothing in common, or most, or all but an inner part.
+    std::string other = on_grid(random, 3 + round % 9, size);
+    if (round % 3 == 1) other += drawing;
+    if (round % 3 == 2) other = drawing + "1/3 1/3 1/2 1/3 1/2 1/3 1/2 5/8 1/2 5/8 1/3 1/3";
+    const ExactComplex a = arrange(segments(drawing)), b = arrange(segments(other));
+    const compare_steps::Sides sides = compare_steps::make_sides(a, b, 0);
+    compare_steps::Both<std::vector<std::size_t>> faces;
+    for (const compare_steps::Side side : compare_steps::kBothSides)
+      for (std::size_t f = 1; f < sides[side].face_count(); ++f)
+        if (round % 2 == 0 || random() % 3 != 0) faces[side].push_back(f);
+    CAPTURE(drawing, other);
+    const auto summed = overlaps(sides, faces, true);
+    REQUIRE(summed == overlaps(sides, faces, false));
+    pairs += summed.size();
+  }
+  CHECK(pairs > 3000);
 }

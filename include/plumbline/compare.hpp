@@ -70,7 +70,7 @@ struct Comparison {
 /// ones names them. Requires: both in canonical order; the float complex need not be valid.
 /// Degenerate: vertices nearer to each other than the tolerance match by their order of nearness.
 /// Order: findings do not depend on input order beyond SegmentIds. Cost: O(n log n) where the two
-/// agree, less than their exact arrangement; that of `validate` and of an arrangement of the faces
+/// agree, less than their exact arrangement; that of `validate` and of an overlay of the faces
 /// that differ where they do not; a tolerance larger than the drawing's features costs up to some
 /// hundred operations a cell. Throws: Error BadInput for a tolerance that is negative or not
 /// finite, or a coordinate that is not finite.

@@ -76,9 +76,10 @@ Groups same_boundaries(const Sides& sides, const CycleMatch& cycles, const OpenF
 
 /// How the open faces overlap: not at all where one side has none. Nothing where `overlay` gives
 /// nothing: then faces correspond by their boundaries only.
-std::optional<Overlaps> overlaps_of(const Sides& sides, const OpenFaces& open) {
+std::optional<Overlaps> overlaps_of(const Sides& sides, const OpenFaces& open,
+                                    bool float_is_valid) {
   if (open[Exact].empty() || open[Float].empty()) return Overlaps({});
-  std::optional<std::vector<Region>> regions = overlay(sides, open);
+  std::optional<std::vector<Region>> regions = overlay(sides, open, float_is_valid);
   if (!regions) return std::nullopt;
   return Overlaps(std::move(*regions));
 }
@@ -253,7 +254,7 @@ FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const Edg
   const std::size_t same = groups.size();
 
   OpenFaces open = faces_without(sides, groups);
-  const std::optional<Overlaps> overlaps = overlaps_of(sides, open);
+  const std::optional<Overlaps> overlaps = overlaps_of(sides, open, float_is_valid);
   Groups reshaped;
   append(reshaped, connected_groups(open, boundary_pairs(sides, cycles, open)));
   append(groups, reshaped);

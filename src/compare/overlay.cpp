@@ -5,16 +5,19 @@
 #include <algorithm>
 #include <map>
 
+#include "compare/face_overlaps.hpp"
 #include "compare/winding.hpp"
 
 namespace plumbline::compare_steps {
 
 std::optional<std::vector<Region>> overlay(const Sides& sides,
-                                           const Both<std::vector<std::size_t>>& faces) {
+                                           const Both<std::vector<std::size_t>>& faces,
+                                           bool float_is_valid) {
   std::vector<BoundaryPiece> pieces;
   for (const Side side : kBothSides)
     for (const std::size_t f : faces[side])
       add_boundary(pieces, sides[side], FaceId(f), 2 * f + side);
+  if (float_is_valid && can_be_overlaid(pieces)) return face_overlaps(sides, faces);
   const std::optional<Overlaid> overlaid = compare_steps::overlaid(pieces, {});
   if (!overlaid) return std::nullopt;
   const std::vector<Rational> areas = face_areas(overlaid->complex);

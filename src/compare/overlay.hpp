@@ -12,9 +12,11 @@ struct Region {
 
 /// The parts that bounded faces of the two sides cover. **Exact**: a face covers what its boundary
 /// winds around other than 0 times, so faces of an invalid complex may overlap. Nothing where
-/// `overlaid` gives nothing. Cost: that of an arrangement of their boundaries.
+/// boundaries can't be overlaid. Cost: that of `face_overlaps` where the float side is valid, else
+/// that of an arrangement of the boundaries.
 std::optional<std::vector<Region>> overlay(const Sides& sides,
-                                           const Both<std::vector<std::size_t>>& faces);
+                                           const Both<std::vector<std::size_t>>& faces,
+                                           bool float_is_valid);
 
 /// Exact areas by which the faces of the two sides overlap.
 class Overlaps {

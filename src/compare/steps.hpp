@@ -72,8 +72,8 @@ struct FaceMatch {
 inline constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
 /// Faces are matched by equal outer boundaries; the rest corresponds by boundaries that differ only
 /// by merged or split cells, and then by which face of the other side covers most of it, among
-/// those left over (`overlay`). Cost: O(E log E), an arrangement of the boundaries of the faces
-/// left over after the first step, and for each of the last ones the edges that a horizontal line
+/// those left over (`overlay`). Cost: O(E log E), an overlay of the boundaries of the faces left
+/// over after the first step, and for each of the last ones the edges that a horizontal line
 /// through its interior point meets.
 FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
                       const CycleMatch& cycles, bool float_is_valid);

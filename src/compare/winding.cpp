@@ -44,12 +44,11 @@ bool is_crowded(const std::vector<BoundaryPiece>& pieces) {
 
 /// The arrangement, edges with the numbers of the pieces on them.
 std::optional<ExactComplex> arranged(const std::vector<BoundaryPiece>& pieces) {
-  if (is_crowded(pieces)) return std::nullopt;
+  if (!can_be_overlaid(pieces)) return std::nullopt;
   SegmentSet set;
   std::vector<SegmentId> number;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (pieces[i].a == pieces[i].b) continue;
-    if (!is_within_limit(pieces[i].a) || !is_within_limit(pieces[i].b)) return std::nullopt;
     set.add(Segment{pieces[i].a, pieces[i].b}, SourceId());
     number.emplace_back(i);
   }
@@ -76,6 +75,13 @@ void add_boundary(std::vector<BoundaryPiece>& pieces, const ExactComplex& comple
   };
   if (complex.face_outer[f].valid()) add(complex.face_outer[f]);
   for (const CycleId hole : complex.face_holes[f]) add(hole);
+}
+
+bool can_be_overlaid(const std::vector<BoundaryPiece>& pieces) {
+  return !is_crowded(pieces) &&
+         std::all_of(pieces.begin(), pieces.end(), [](const BoundaryPiece& piece) {
+           return piece.a == piece.b || (is_within_limit(piece.a) && is_within_limit(piece.b));
+         });
 }
 
 std::optional<Overlaid> overlaid(const std::vector<BoundaryPiece>& pieces, Windings outside) {

@@ -22,6 +22,11 @@ struct BoundaryPiece {
 void add_boundary(std::vector<BoundaryPiece>& pieces, const ExactComplex& complex, FaceId f,
                   std::size_t label);
 
+/// Whether `overlaid` gives something: not for coordinates beyond the limit of `arrange`, and not
+/// for more than kMostTinyPieces pieces shorter than 2^-24 of the extent.
+inline constexpr std::size_t kMostTinyPieces = 2000;
+bool can_be_overlaid(const std::vector<BoundaryPiece>& pieces);
+
 /// The arrangement of all pieces and the windings in each of its faces.
 struct Overlaid {
   ExactComplex complex;            ///< `edge_sources`: numbers of pieces
@@ -31,10 +36,8 @@ struct Overlaid {
 /// Overlays boundaries, which may cross and overlap each other. **Exact**. Far outside, the
 /// windings are those of `outside`. Degenerate: pieces without length are left out; where the
 /// pieces of a label are no closed curves, its windings depend on the way on which the sums are
-/// made (breadth first, in canonical order). Nothing for coordinates beyond the limit of `arrange`,
-/// and for more than kMostTinyPieces pieces shorter than 2^-24 of the extent, which `arrange` would
-/// compare each with each. Cost: that of `arrange`, and the labels around each face.
-inline constexpr std::size_t kMostTinyPieces = 2000;
+/// made (breadth first, in canonical order). Nothing for what can't be overlaid: `arrange` would
+/// compare tiny pieces each with each. Cost: that of `arrange`, and the labels around each face.
 std::optional<Overlaid> overlaid(const std::vector<BoundaryPiece>& pieces, Windings outside);
 
 }  // namespace plumbline::compare_steps

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "compare/sides.hpp"
+
+namespace plumbline::compare_steps {
+
+/// The vertices of both sides as one list, in which equal points have one number: predicates need
+/// no numbers to see that an edge of one side begins where one of the other side does. Requires:
+/// vertices without duplicates. Cost: O(n).
+class CommonPoints {
+ public:
+  explicit CommonPoints(const Sides& sides);
+  CommonPoints(const CommonPoints&) = delete;
+  CommonPoints& operator=(const CommonPoints&) = delete;
+
+  /// The number of a vertex.
+  std::size_t operator()(Side side, VertexId v) const {
+    return side == Exact ? v : number_of_float_[v];
+  }
+  const Point& point(std::size_t p) const { return points_[p]; }
+  const PointD& rough(std::size_t p) const { return filtered_.rough(p); }
+  double error() const { return filtered_.error(); }
+  /// -1, 0, +1: r lies right of, on, left of the line from p to q.
+  int orientation(std::size_t p, std::size_t q, std::size_t r) const {
+    return p == q || q == r || p == r ? 0 : filtered_.orientation(p, q, r);
+  }
+  /// Lexicographic by (x, y).
+  bool is_before(std::size_t p, std::size_t q) const { return p != q && filtered_.is_before(p, q); }
+
+ private:
+  std::vector<std::size_t> number_of_float_;
+  const std::vector<Point> points_;  ///< those of the exact side, then the others of the float side
+  const FilteredPoints filtered_;
+};
+
+}  // namespace plumbline::compare_steps
