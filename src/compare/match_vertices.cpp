@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 
 #include "compare/moved_vertices.hpp"
 #include "compare/near_vertices.hpp"
@@ -106,11 +106,11 @@ std::vector<bool> match_sole_pairs(VertexMatch& result, const Sides& sides,
   return is_done;
 }
 
-/// The pairs of vertices without a match that lie within the tolerance, nearest first.
-std::vector<Candidate> candidates_nearest_first(const VertexMatch& matched, const Sides& sides,
-                                                const Distances& distances,
-                                                const NearVertices& floats,
-                                                const std::vector<bool>& is_done) {
+/// The pairs of vertices without a match that lie within the tolerance, by rough distance.
+std::vector<Candidate> candidates_by_distance(const VertexMatch& matched, const Sides& sides,
+                                              const Distances& distances,
+                                              const NearVertices& floats,
+                                              const std::vector<bool>& is_done) {
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < is_done.size(); ++i) {
     if (is_done[i]) continue;
@@ -121,24 +121,53 @@ std::vector<Candidate> candidates_nearest_first(const VertexMatch& matched, cons
       if (distances.are_within_tolerance(candidate)) candidates.push_back(candidate);
     }
   }
-  std::vector<std::size_t> order(candidates.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<std::optional<Rational>> squared(candidates.size());  // of those asked for
-  const auto squared_of = [&](std::size_t i) -> const Rational& {
-    if (!squared[i])
-      squared[i] = distances.squared(candidates[i].exact_vertex, candidates[i].float_vertex);
-    return *squared[i];
-  };
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    const Candidate &a = candidates[i], &b = candidates[j];
-    if (distances.are_apart(a.distance, b.distance)) return a.distance < b.distance;
-    const int by_distance = cmp(squared_of(i), squared_of(j));
-    if (by_distance != 0) return by_distance < 0;
-    return std::pair(a.exact_vertex, a.float_vertex) < std::pair(b.exact_vertex, b.float_vertex);
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  return candidates;
+}
+
+/// Candidates whose rough distances do not tell them apart: nearest first, then by index.
+std::vector<Candidate> nearest_first(const std::vector<Candidate>& candidates,
+                                     const Distances& distances) {
+  if (candidates.size() < 2) return candidates;
+  std::vector<std::pair<Rational, Candidate>> exact;
+  for (const Candidate& c : candidates)
+    exact.emplace_back(distances.squared(c.exact_vertex, c.float_vertex), c);
+  std::sort(exact.begin(), exact.end(), [](const auto& a, const auto& b) {
+    if (const int order = cmp(a.first, b.first); order != 0) return order < 0;
+    return std::pair(a.second.exact_vertex, a.second.float_vertex) <
+           std::pair(b.second.exact_vertex, b.second.float_vertex);
   });
   std::vector<Candidate> result;
-  for (const std::size_t i : order) result.push_back(candidates[i]);
+  for (const auto& entry : exact) result.push_back(entry.second);
   return result;
+}
+
+/// Matches the nearest of all candidates, the nearest of those left, and so on; returns the pairs.
+std::vector<Candidate> match_nearest_first(VertexMatch& result,
+                                           const std::vector<Candidate>& candidates,
+                                           const Distances& distances) {
+  const auto is_open = [&](const Candidate& c) {
+    return !result.match[Exact][c.exact_vertex].valid() &&
+           !result.match[Float][c.float_vertex].valid();
+  };
+  std::vector<Candidate> matched;
+  for (auto first = candidates.begin(); first != candidates.end();) {
+    std::vector<Candidate> open;
+    auto last = first;
+    do {
+      if (is_open(*last)) open.push_back(*last);
+      ++last;
+    } while (last != candidates.end() &&
+             !distances.are_apart(std::prev(last)->distance, last->distance));
+    for (const Candidate& candidate : nearest_first(open, distances)) {
+      if (!is_open(candidate)) continue;
+      match(result, candidate.exact_vertex, candidate.float_vertex);
+      matched.push_back(candidate);
+    }
+    first = last;
+  }
+  return matched;
 }
 
 VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
@@ -146,14 +175,8 @@ VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
   VertexMatch result = nothing_matched(sides);
   match_equal(result, sides);
   const std::vector<bool> is_done = match_sole_pairs(result, sides, distances);
-  std::vector<Candidate> matched;
-  for (const Candidate& candidate :
-       candidates_nearest_first(result, sides, distances, floats, is_done)) {
-    const VertexId v = candidate.exact_vertex, w = candidate.float_vertex;
-    if (result.match[Exact][v].valid() || result.match[Float][w].valid()) continue;
-    match(result, v, w);
-    matched.push_back(candidate);
-  }
+  const std::vector<Candidate> matched = match_nearest_first(
+      result, candidates_by_distance(result, sides, distances, floats, is_done), distances);
   result.largest_squared = std::max(result.largest_squared, distances.largest_squared(matched));
   return result;
 }
