@@ -162,8 +162,8 @@ std::size_t Attribution::changed(std::size_t k) const {
 void Attribution::close_absent(std::size_t k) {
   std::optional<Comparison> continued;
   if (const std::size_t with_work = changed(k); with_work > 0) {
-    continued =
-        compare(exact_, run_.continued(outputs_[with_work], threads_), comparison_.tolerance);
+    continued = compare_steps::compare_cells(exact_, run_.continued(outputs_[with_work], threads_),
+                                             comparison_.tolerance);
   }
   const Comparison& there = continued ? *continued : converted_.comparison;
   const compare_steps::WrongCells wrong(there, exact_);
@@ -258,7 +258,7 @@ void Attribution::run_without(const std::string& stage, std::size_t round,
                               const std::vector<std::size_t>& findings) {
   const std::optional<FloatComplex> replaced = run_.with_exact(stage, round);
   if (!replaced) return;
-  const Comparison now = compare(exact_, *replaced, comparison_.tolerance);
+  const Comparison now = compare_steps::compare_cells(exact_, *replaced, comparison_.tolerance);
   const compare_steps::WrongCells wrong(now, exact_);
   for (const std::size_t i : findings) {
     Cause& cause = *causes_[i];
@@ -280,7 +280,7 @@ void Attribution::blame_suspects() {
   for (const auto& [suspect, findings] : by_suspect) {
     const auto replaced = run_.with_exact(suspect, 0);
     if (!replaced) continue;
-    const Comparison now = compare(exact_, *replaced, comparison_.tolerance);
+    const Comparison now = compare_steps::compare_cells(exact_, *replaced, comparison_.tolerance);
     const compare_steps::WrongCells wrong(now, exact_);
     for (const std::size_t i : findings) {
       if (wrong.has(findings_[i])) continue;

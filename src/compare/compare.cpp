@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "compare/steps.hpp"
+#include "compare/wrong_cells.hpp"
 
 namespace plumbline {
 namespace {
@@ -24,15 +25,10 @@ ExactComplex exact_in_order(const FloatComplex& complex) {
   return result;
 }
 
-}  // namespace
+using compare_steps::Detail;
 
-Comparison compare(const ExactComplex& exact_complex, const FloatComplex& float_complex,
-                   double tolerance) {
-  return compare(exact_complex, exact_in_order(float_complex), tolerance);
-}
-
-Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_complex,
-                   double tolerance, Compared compared) {
+Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
+                      const ExactComplex& other_complex, double tolerance, Compared compared) {
   const compare_steps::Sides sides =
       compare_steps::make_sides(exact_complex, other_complex, tolerance);
   Comparison result;
@@ -47,7 +43,8 @@ Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_
 
   append(compare_steps::invalidities(sides, compared));
   result.float_valid = result.findings.empty();
-  if (compared == Compared::All) append(compare_steps::miscoverings(sides, result.findings));
+  if (compared == Compared::All && detail == Detail::Full)
+    append(compare_steps::miscoverings(sides, result.findings));
   const compare_steps::VertexMatch vertices = compare_steps::match_vertices(sides, next_number());
   append(vertices.findings);
   const compare_steps::EdgeMatch edges = compare_steps::match_edges(sides, vertices, next_number());
@@ -59,11 +56,33 @@ Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_
 
   const compare_steps::CycleMatch cycles = compare_steps::match_cycles(sides, edges);
   const compare_steps::FaceMatch faces =
-      compare_steps::match_faces(sides, vertices, edges, cycles, result.float_valid);
+      compare_steps::match_faces(sides, vertices, edges, cycles, result.float_valid, detail);
   append(faces.findings);
   append(compare_steps::nesting(sides, vertices, edges, cycles, faces));
   result.matched_faces = faces.same;
   return result;
+}
+
+}  // namespace
+
+Comparison compare(const ExactComplex& exact_complex, const FloatComplex& float_complex,
+                   double tolerance) {
+  return compare(exact_complex, exact_in_order(float_complex), tolerance);
+}
+
+Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_complex,
+                   double tolerance, Compared compared) {
+  return compare_in(Detail::Full, exact_complex, other_complex, tolerance, compared);
+}
+
+Comparison compare_steps::compare_cells(const ExactComplex& exact_complex,
+                                        const ExactComplex& other_complex, double tolerance) {
+  return compare_in(Detail::CellsOnly, exact_complex, other_complex, tolerance, Compared::All);
+}
+
+Comparison compare_steps::compare_cells(const ExactComplex& exact_complex,
+                                        const FloatComplex& float_complex, double tolerance) {
+  return compare_cells(exact_complex, exact_in_order(float_complex), tolerance);
 }
 
 }  // namespace plumbline

@@ -202,8 +202,8 @@ std::string note(const Places& places, Side side, std::size_t f) {
                                        static_cast<std::size_t>(g));
 }
 
-Finding finding_about(const Sides& sides, const Group& group, std::optional<Rational> area,
-                      Cause cause, const Places& places) {
+/// A finding about the cells of a group.
+Finding finding_about(const Sides& sides, const Group& group, const Cause& cause) {
   Finding finding;
   finding.kind = CellKind::Face;
   const std::size_t m = group[Exact].size(), n = group[Float].size();
@@ -216,15 +216,18 @@ Finding finding_about(const Sides& sides, const Group& group, std::optional<Rati
   finding.segments = joined(segments_of(sides[Exact], cause.edges[Exact]),
                             segments_of(sides[Float], cause.edges[Float]));
   for (const Side side : kBothSides) cells(finding, side) = group[side];
-  finding.area = std::move(area);
+  return finding;
+}
+
+/// Says where to look, and what is there instead of a face without counterpart.
+void add_place(Finding& finding, const Sides& sides, const Group& group, const Places& places) {
+  const std::size_t m = group[Exact].size(), n = group[Float].size();
   const Side side = m == 0 || m < n ? Float : Exact;
   const std::size_t last = group[side].back();
   const auto place = places[side].find(last);
   finding.where =
       place != places[side].end() ? place->second.inside : place_in(sides[side], FaceId(last));
   if (m == 0 || n == 0) finding.message += note(places, side, last);
-  add_causes(finding, std::move(cause.numbers));
-  return finding;
 }
 
 /// Numbers the groups; where one is one to one, its faces match.
@@ -248,7 +251,7 @@ FaceMatch numbered(const Sides& sides, const Groups& groups) {
 }  // namespace
 
 FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
-                      const CycleMatch& cycles, bool float_is_valid) {
+                      const CycleMatch& cycles, bool float_is_valid, Detail detail) {
   Groups groups{{{{kUnbounded}, {kUnbounded}}}};
   append(groups, same_boundaries(sides, cycles, faces_without(sides, groups)));
   const std::size_t same = groups.size();
@@ -260,15 +263,22 @@ FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const Edg
   append(groups, reshaped);
 
   open = faces_without(sides, groups);
-  const Places places = places_of(sides, open, float_is_valid);
+  const bool is_full = detail == Detail::Full;
+  const Places places = is_full ? places_of(sides, open, float_is_valid) : Places();
   const Groups rest = connected_groups(open, overlaps ? overlaps->pairs(open) : Pairs());
   append(groups, rest);  // but for the faces that correspond to none
 
   FaceMatch result = numbered(sides, groups);
   result.same = same;
   const auto report = [&](const Group& group) {
-    result.findings.push_back(finding_about(sides, group, area_in_dispute(sides, overlaps, group),
-                                            cause_of(sides, vertices, edges, group), places));
+    Cause cause = cause_of(sides, vertices, edges, group);
+    Finding finding = finding_about(sides, group, cause);
+    if (is_full) {
+      finding.area = area_in_dispute(sides, overlaps, group);
+      add_place(finding, sides, group, places);
+    }
+    add_causes(finding, std::move(cause.numbers));
+    result.findings.push_back(std::move(finding));
   };
   std::for_each(reshaped.begin(), reshaped.end(), report);
   std::for_each(rest.begin(), rest.end(), report);

@@ -10,6 +10,12 @@
 // causes.
 namespace plumbline::compare_steps {
 
+/// How much of each finding is wanted.
+enum class Detail {
+  Full,
+  CellsOnly,  ///< which cells are in findings: not the areas and places of faces
+};
+
 /// Numbers of findings by cell; 0: the cell is in no finding.
 using Numbers = std::vector<std::size_t>;
 
@@ -76,7 +82,7 @@ inline constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
 /// over after the first step, and for each of the last ones the edges that a horizontal line
 /// through its interior point meets.
 FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
-                      const CycleMatch& cycles, bool float_is_valid);
+                      const CycleMatch& cycles, bool float_is_valid, Detail detail);
 
 /// Holes and isolated vertices: Missing, Extra, Merged, Split, Reshaped or in the wrong face. Holes
 /// of the unbounded face (the outlines of components) are reported only as WrongParent.

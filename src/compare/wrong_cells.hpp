@@ -8,6 +8,14 @@
 
 namespace plumbline::compare_steps {
 
+/// `compare` for those who ask only which cells are in findings: of faces there are no areas,
+/// places and reasons why they lack a counterpart; where an invalid complex overlaps or leaves gaps
+/// is not looked for. Findings that have other invariants than Area are all there.
+Comparison compare_cells(const ExactComplex& exact_complex, const ExactComplex& other_complex,
+                         double tolerance);
+Comparison compare_cells(const ExactComplex& exact_complex, const FloatComplex& float_complex,
+                         double tolerance);
+
 /// The cells that a comparison finds fault with, to ask whether another one of the same exact
 /// complex has a finding too.
 class WrongCells {
