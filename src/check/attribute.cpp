@@ -121,6 +121,11 @@ class Attribution {
   void blame_invalid();
   void blame_invalid_cells();
   std::size_t owner_of_invalid(const Finding& finding) const;
+  bool take_correspondence(const std::vector<std::size_t>& findings) const {
+    return std::any_of(findings.begin(), findings.end(), [&](std::size_t i) {
+      return compare_steps::takes_correspondence(findings_[i]);
+    });
+  }
   /// The last output that changed something, up to k.
   std::size_t changed(std::size_t k) const;
   void take_from_conversion();
@@ -163,7 +168,7 @@ void Attribution::close_absent(std::size_t k) {
   std::optional<Comparison> continued;
   if (const std::size_t with_work = changed(k); with_work > 0) {
     continued = compare_steps::compare_cells(exact_, run_.continued(outputs_[with_work], threads_),
-                                             comparison_.tolerance);
+                                             comparison_.tolerance, take_correspondence(open_));
   }
   const Comparison& there = continued ? *continued : converted_.comparison;
   const compare_steps::WrongCells wrong(there, exact_);
@@ -258,7 +263,8 @@ void Attribution::run_without(const std::string& stage, std::size_t round,
                               const std::vector<std::size_t>& findings) {
   const std::optional<FloatComplex> replaced = run_.with_exact(stage, round);
   if (!replaced) return;
-  const Comparison now = compare_steps::compare_cells(exact_, *replaced, comparison_.tolerance);
+  const Comparison now = compare_steps::compare_cells(exact_, *replaced, comparison_.tolerance,
+                                                      take_correspondence(findings));
   const compare_steps::WrongCells wrong(now, exact_);
   for (const std::size_t i : findings) {
     Cause& cause = *causes_[i];
@@ -280,7 +286,8 @@ void Attribution::blame_suspects() {
   for (const auto& [suspect, findings] : by_suspect) {
     const auto replaced = run_.with_exact(suspect, 0);
     if (!replaced) continue;
-    const Comparison now = compare_steps::compare_cells(exact_, *replaced, comparison_.tolerance);
+    const Comparison now = compare_steps::compare_cells(exact_, *replaced, comparison_.tolerance,
+                                                        take_correspondence(findings));
     const compare_steps::WrongCells wrong(now, exact_);
     for (const std::size_t i : findings) {
       if (wrong.has(findings_[i])) continue;

@@ -40,8 +40,8 @@ void compare_conversion(Check& result, const CheckOptions& options) {
   result.conversion = compare(result.exact_complex, result.doubles_complex, tolerance);
   std::optional<Comparison> parsed;
   if (options.parsed && !result.conversion.agree())
-    parsed =
-        compare_steps::compare_cells(result.exact_complex, arrange(options.parsed()), tolerance);
+    parsed = compare_steps::compare_cells(result.exact_complex, arrange(options.parsed()),
+                                          tolerance, true);
   result.conversion_causes = check_steps::attribute_conversion(
       result.conversion, parsed ? &*parsed : nullptr, result.exact_complex);
 }

@@ -9,8 +9,11 @@
 namespace plumbline::compare_steps {
 namespace {
 
-/// Some hundred roundings of the numbers in `is_surely_far`, whose products have few.
+/// Some hundred roundings of the numbers in `is_surely_far` and `is_further`, whose products have
+/// few.
 constexpr double kSlack = 0x1p-45;
+/// Far more than what products lose below 2^-1022.
+constexpr double kUnderflow = 0x1p-1000;
 
 class ChainSearch {
  public:
@@ -50,21 +53,32 @@ class ChainSearch {
       if (!is_usable_[edge_of(h)]) continue;
       const VertexId w = sides_[side_].target(h);
       if (w == goal_ ||
-          (!visited_.contains(w) && !is_surely_far(w) && advance(w) > advance(v) && is_near(w)))
+          (!visited_.contains(w) && !is_surely_far(w) && is_further(w, v) && is_near(w)))
         stack_.push_back({h, depth_});
     }
   }
 
   /// Doubles tell of most vertices that they lie further from the line than the tolerance.
   bool is_surely_far(VertexId v) const {
-    const PointD p = nearest(sides_.point(side_, v));
+    const PointD& p = sides_.points[side_].rough(v);
     const double dx = b_.x - a_.x, dy = b_.y - a_.y, length = std::hypot(dx, dy);
     const double away = std::abs(dx * (p.y - a_.y) - dy * (p.x - a_.x));
-    const double size = std::max({std::abs(a_.x), std::abs(a_.y), std::abs(b_.x), std::abs(b_.y),
-                                  std::abs(p.x), std::abs(p.y)});
+    const double size = std::max({size_, std::abs(p.x), std::abs(p.y)});
     return away > length * (sides_.tolerance * (1 + kSlack) + size * kSlack);
   }
 
+  /// Whether v is further along ab than w is. Doubles tell where it is so by more than rounding.
+  bool is_further(VertexId v, VertexId w) const {
+    const PointD &p = sides_.points[side_].rough(v), &q = sides_.points[side_].rough(w);
+    const double dx = b_.x - a_.x, dy = b_.y - a_.y;
+    const double by = (p.x - q.x) * dx + (p.y - q.y) * dy;
+    const double size =
+        std::max({size_, std::abs(p.x), std::abs(p.y), std::abs(q.x), std::abs(q.y)});
+    const double lengths =
+        std::abs(dx) + std::abs(dy) + std::abs(p.x - q.x) + std::abs(p.y - q.y) + size * kSlack;
+    if (std::abs(by) > lengths * size * kSlack + kUnderflow) return by > 0;
+    return advance(v) > advance(w);
+  }
   /// How far along ab, times the squared length of ab.
   Rational advance(VertexId v) const {
     const Point& p = sides_.point(side_, v);
@@ -79,6 +93,7 @@ class ChainSearch {
   const VertexId goal_;
   const Segment& ab_;
   const PointD a_ = nearest(ab_.a), b_ = nearest(ab_.b);
+  const double size_ = std::max({std::abs(a_.x), std::abs(a_.y), std::abs(b_.x), std::abs(b_.y)});
   const std::vector<bool>& is_usable_;
   std::size_t& steps_;
   std::unordered_set<std::size_t> visited_;

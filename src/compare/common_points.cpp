@@ -1,5 +1,9 @@
 #include "compare/common_points.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace plumbline::compare_steps {
 namespace {
 
@@ -19,9 +23,47 @@ std::vector<Point> joined_points(const Sides& sides, std::vector<std::size_t>& n
   return result;
 }
 
+/// Truncated to a double, and what that leaves.
+long double fine(const Rational& x) {
+  const double high = x.get_d();
+  if (!std::isfinite(high)) return high;
+  const Rational rest = x - Rational(high);
+  return static_cast<long double>(high) + static_cast<long double>(rest.get_d());
+}
+
 }  // namespace
 
 CommonPoints::CommonPoints(const Sides& sides)
-    : points_(joined_points(sides, number_of_float_)), filtered_(points_) {}
+    : points_(joined_points(sides, number_of_float_)),
+      filtered_(points_),
+      fine_(fine_points(points_)) {
+  long double largest = 0;
+  for (const Fine& p : fine_) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  // The sum of both parts is rounded once; the second one is off by much less.
+  fine_error_ = std::numeric_limits<long double>::epsilon() * largest + 0x1p-1022L;
+}
+
+std::vector<CommonPoints::Fine> CommonPoints::fine_points(const std::vector<Point>& points) {
+  std::vector<Fine> result;
+  result.reserve(points.size());
+  for (const Point& p : points) result.push_back({fine(p.x), fine(p.y)});
+  return result;
+}
+
+int CommonPoints::orientation(std::size_t p, std::size_t q, std::size_t r) const {
+  if (p == q || q == r || p == r) return 0;
+  const Fine &a = fine_[p], &b = fine_[q], &c = fine_[r];
+  const long double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
+  const long double left = ux * vy, right = uy * vx, det = left - right;
+  // As in FilteredPoints: what differences are off by, in products, and the rounding of these.
+  const long double d = 4 * fine_error_;
+  const long double bound =
+      2 * (d * (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy) + 2 * d) +
+           2 * std::numeric_limits<long double>::epsilon() * (std::abs(left) + std::abs(right))) +
+      0x1p-1000L;
+  if (det > bound) return 1;
+  if (det < -bound) return -1;
+  return plumbline::orientation(points_[p], points_[q], points_[r]);
+}
 
 }  // namespace plumbline::compare_steps

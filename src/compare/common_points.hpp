@@ -23,16 +23,23 @@ class CommonPoints {
   const PointD& rough(std::size_t p) const { return filtered_.rough(p); }
   double error() const { return filtered_.error(); }
   /// -1, 0, +1: r lies right of, on, left of the line from p to q.
-  int orientation(std::size_t p, std::size_t q, std::size_t r) const {
-    return p == q || q == r || p == r ? 0 : filtered_.orientation(p, q, r);
-  }
+  int orientation(std::size_t p, std::size_t q, std::size_t r) const;
   /// Lexicographic by (x, y).
   bool is_before(std::size_t p, std::size_t q) const { return p != q && filtered_.is_before(p, q); }
 
  private:
+  /// Coordinates with more digits than a double has, where the machine has some: a float vertex
+  /// and the exact one that it was rounded from are apart by less than doubles can tell.
+  struct Fine {
+    long double x, y;
+  };
+  static std::vector<Fine> fine_points(const std::vector<Point>& points);
+
   std::vector<std::size_t> number_of_float_;
   const std::vector<Point> points_;  ///< those of the exact side, then the others of the float side
   const FilteredPoints filtered_;
+  const std::vector<Fine> fine_;
+  long double fine_error_ = 0;  ///< of a coordinate of `fine_`
 };
 
 }  // namespace plumbline::compare_steps

@@ -58,7 +58,8 @@ Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
   const compare_steps::FaceMatch faces =
       compare_steps::match_faces(sides, vertices, edges, cycles, result.float_valid, detail);
   append(faces.findings);
-  append(compare_steps::nesting(sides, vertices, edges, cycles, faces));
+  if (detail != Detail::ExactCellsOnly)
+    append(compare_steps::nesting(sides, vertices, edges, cycles, faces));
   result.matched_faces = faces.same;
   return result;
 }
@@ -76,13 +77,19 @@ Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_
 }
 
 Comparison compare_steps::compare_cells(const ExactComplex& exact_complex,
-                                        const ExactComplex& other_complex, double tolerance) {
-  return compare_in(Detail::CellsOnly, exact_complex, other_complex, tolerance, Compared::All);
+                                        const ExactComplex& other_complex, double tolerance,
+                                        bool with_correspondence) {
+  // Isolated vertices have findings about the faces that they lie in.
+  const bool all = with_correspondence || !exact_complex.face_isolated_vertices.flat().empty();
+  return compare_in(all ? Detail::CellsOnly : Detail::ExactCellsOnly, exact_complex, other_complex,
+                    tolerance, Compared::All);
 }
 
 Comparison compare_steps::compare_cells(const ExactComplex& exact_complex,
-                                        const FloatComplex& float_complex, double tolerance) {
-  return compare_cells(exact_complex, exact_in_order(float_complex), tolerance);
+                                        const FloatComplex& float_complex, double tolerance,
+                                        bool with_correspondence) {
+  return compare_cells(exact_complex, exact_in_order(float_complex), tolerance,
+                       with_correspondence);
 }
 
 }  // namespace plumbline

@@ -84,6 +84,16 @@ std::optional<Overlaps> overlaps_of(const Sides& sides, const OpenFaces& open,
   return Overlaps(std::move(*regions));
 }
 
+/// The overlaps of the faces that differ; without detail of those without a group, which decide
+/// what corresponds; or none.
+std::optional<Overlaps> overlaps_wanted(const Sides& sides, const OpenFaces& differing,
+                                        const OpenFaces& open, bool float_is_valid, Detail detail) {
+  if (detail == Detail::ExactCellsOnly) return Overlaps({});
+  if (detail == Detail::Full) return overlaps_of(sides, differing, float_is_valid);
+  if (!can_be_overlaid(sides, differing)) return std::nullopt;
+  return overlaps_of(sides, open, float_is_valid);
+}
+
 /// A point inside a face, and the face of the other side there; invalid if there is none.
 struct Place {
   Point inside;
@@ -256,13 +266,14 @@ FaceMatch match_faces(const Sides& sides, const VertexMatch& vertices, const Edg
   append(groups, same_boundaries(sides, cycles, faces_without(sides, groups)));
   const std::size_t same = groups.size();
 
-  OpenFaces open = faces_without(sides, groups);
-  const std::optional<Overlaps> overlaps = overlaps_of(sides, open, float_is_valid);
+  const OpenFaces differing = faces_without(sides, groups);
   Groups reshaped;
-  append(reshaped, connected_groups(open, boundary_pairs(sides, cycles, open)));
+  append(reshaped, connected_groups(differing, boundary_pairs(sides, cycles, differing)));
   append(groups, reshaped);
+  const OpenFaces open = faces_without(sides, groups);
+  const std::optional<Overlaps> overlaps =
+      overlaps_wanted(sides, differing, open, float_is_valid, detail);
 
-  open = faces_without(sides, groups);
   const bool is_full = detail == Detail::Full;
   const Places places = is_full ? places_of(sides, open, float_is_valid) : Places();
   const Groups rest = connected_groups(open, overlaps ? overlaps->pairs(open) : Pairs());

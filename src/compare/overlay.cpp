@@ -10,13 +10,27 @@
 
 namespace plumbline::compare_steps {
 
-std::optional<std::vector<Region>> overlay(const Sides& sides,
-                                           const Both<std::vector<std::size_t>>& faces,
-                                           bool float_is_valid) {
+namespace {
+
+std::vector<BoundaryPiece> boundaries(const Sides& sides,
+                                      const Both<std::vector<std::size_t>>& faces) {
   std::vector<BoundaryPiece> pieces;
   for (const Side side : kBothSides)
     for (const std::size_t f : faces[side])
       add_boundary(pieces, sides[side], FaceId(f), 2 * f + side);
+  return pieces;
+}
+
+}  // namespace
+
+bool can_be_overlaid(const Sides& sides, const Both<std::vector<std::size_t>>& faces) {
+  return can_be_overlaid(boundaries(sides, faces));
+}
+
+std::optional<std::vector<Region>> overlay(const Sides& sides,
+                                           const Both<std::vector<std::size_t>>& faces,
+                                           bool float_is_valid) {
+  const std::vector<BoundaryPiece> pieces = boundaries(sides, faces);
   if (float_is_valid && can_be_overlaid(pieces)) return face_overlaps(sides, faces);
   const std::optional<Overlaid> overlaid = compare_steps::overlaid(pieces, {});
   if (!overlaid) return std::nullopt;

@@ -10,6 +10,9 @@ struct Region {
   Both<std::vector<std::size_t>> faces;
 };
 
+/// Whether the boundaries of these faces can be overlaid; then those of some of them can.
+bool can_be_overlaid(const Sides& sides, const Both<std::vector<std::size_t>>& faces);
+
 /// The parts that bounded faces of the two sides cover. **Exact**: a face covers what its boundary
 /// winds around other than 0 times, so faces of an invalid complex may overlap. Nothing where
 /// boundaries can't be overlaid. Cost: that of `face_overlaps` where the float side is valid, else

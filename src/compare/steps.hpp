@@ -14,6 +14,8 @@ namespace plumbline::compare_steps {
 enum class Detail {
   Full,
   CellsOnly,  ///< which cells are in findings: not the areas and places of faces
+  /// Of faces only which exact ones are in findings, of holes nothing, of vertices and edges all.
+  ExactCellsOnly,
 };
 
 /// Numbers of findings by cell; 0: the cell is in no finding.

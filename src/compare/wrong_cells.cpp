@@ -29,6 +29,11 @@ std::size_t cell_count(const ExactComplex& complex, CellKind kind) {
 
 }  // namespace
 
+bool takes_correspondence(const Finding& finding) {
+  return finding.kind == CellKind::Hole ||
+         (finding.kind == CellKind::Face && finding.exact_cells.empty());
+}
+
 WrongCells::WrongCells(const Comparison& comparison, const ExactComplex& exact_complex)
     : comparison_(comparison) {
   for (std::size_t kind = 0; kind < kKinds; ++kind)
