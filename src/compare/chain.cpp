@@ -67,6 +67,18 @@ class ChainSearch {
     return away > length * (sides_.tolerance * (1 + kSlack) + size * kSlack);
   }
 
+  /// Doubles tell of most of the others that they lie nearer to it.
+  bool is_surely_near(VertexId v) const {
+    const PointD& p = sides_.points[side_].rough(v);
+    const double dx = b_.x - a_.x, dy = b_.y - a_.y, squared_length = dx * dx + dy * dy;
+    if (!(squared_length > kUnderflow)) return false;
+    const double part =
+        std::clamp(((p.x - a_.x) * dx + (p.y - a_.y) * dy) / squared_length, 0.0, 1.0);
+    const double away = std::hypot(p.x - (a_.x + part * dx), p.y - (a_.y + part * dy));
+    const double size = std::max({size_, std::abs(p.x), std::abs(p.y)});
+    return away + size * kSlack < sides_.tolerance;
+  }
+
   /// Whether v is further along ab than w is. Doubles tell where it is so by more than rounding.
   bool is_further(VertexId v, VertexId w) const {
     const PointD &p = sides_.points[side_].rough(v), &q = sides_.points[side_].rough(w);
@@ -85,7 +97,8 @@ class ChainSearch {
     return (p.x - ab_.a.x) * (ab_.b.x - ab_.a.x) + (p.y - ab_.a.y) * (ab_.b.y - ab_.a.y);
   }
   bool is_near(VertexId v) const {
-    return squared_distance(sides_.point(side_, v), ab_.a, ab_.b) <= sides_.squared_tolerance;
+    return is_surely_near(v) ||
+           squared_distance(sides_.point(side_, v), ab_.a, ab_.b) <= sides_.squared_tolerance;
   }
 
   const Sides& sides_;

@@ -47,7 +47,8 @@ Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
     append(compare_steps::miscoverings(sides, result.findings));
   const compare_steps::VertexMatch vertices = compare_steps::match_vertices(sides, next_number());
   append(vertices.findings);
-  const compare_steps::EdgeMatch edges = compare_steps::match_edges(sides, vertices, next_number());
+  const compare_steps::EdgeMatch edges =
+      compare_steps::match_edges(sides, vertices, next_number(), detail);
   append(edges.findings);
   result.matched_vertices = matched(vertices.match[compare_steps::Exact]) - vertices.moved_count;
   result.matched_edges = matched(edges.match[compare_steps::Exact]);

@@ -22,8 +22,9 @@ struct OpenEdge {
 
 class EdgeMatcher {
  public:
-  EdgeMatcher(const Sides& sides, const VertexMatch& vertices, std::size_t first_number)
-      : sides_(sides), vertices_(vertices), first_number_(first_number) {
+  EdgeMatcher(const Sides& sides, const VertexMatch& vertices, std::size_t first_number,
+              Detail detail)
+      : sides_(sides), vertices_(vertices), first_number_(first_number), detail_(detail) {
     for (const Side side : kBothSides) {
       result_.match[side].resize(sides[side].edge_count());
       result_.number[side].resize(sides[side].edge_count());
@@ -68,6 +69,7 @@ class EdgeMatcher {
   const Sides& sides_;
   const VertexMatch& vertices_;
   const std::size_t first_number_;
+  const Detail detail_;
   std::size_t chain_steps_ =
       kLeastSteps + kStepsPerEdge * (sides_[Exact].edge_count() + sides_[Float].edge_count());
   EdgeMatch result_;
@@ -208,6 +210,7 @@ void EdgeMatcher::report_chains(Side side, const std::vector<bool>& is_usable,
       there.push_back(f);
       if (!edges_are_matched) usable[f] = false;
       if (result_.match[other(side)][f].valid()) here.push_back(result_.match[other(side)][f]);
+      if (detail_ != Detail::Full) continue;
       const Point& p = sides_.point(other(side), sides_[other(side)].target(h));
       farthest = std::max(farthest, squared_distance(p, ab.a, ab.b));
     }
@@ -256,8 +259,9 @@ std::optional<std::span<const HalfedgeId>> EdgeMatch::image(Side side, EdgeId e)
   return std::span<const HalfedgeId>(found->second);
 }
 
-EdgeMatch match_edges(const Sides& sides, const VertexMatch& vertices, std::size_t first_number) {
-  return EdgeMatcher(sides, vertices, first_number).run();
+EdgeMatch match_edges(const Sides& sides, const VertexMatch& vertices, std::size_t first_number,
+                      Detail detail) {
+  return EdgeMatcher(sides, vertices, first_number, detail).run();
 }
 
 }  // namespace plumbline::compare_steps

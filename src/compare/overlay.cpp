@@ -3,6 +3,7 @@
 #include "compare/overlay.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "compare/face_overlaps.hpp"
@@ -24,15 +25,37 @@ std::vector<BoundaryPiece> boundaries(const Sides& sides,
 }  // namespace
 
 bool can_be_overlaid(const Sides& sides, const Both<std::vector<std::size_t>>& faces) {
-  return can_be_overlaid(boundaries(sides, faces));
+  constexpr double kSurelyWithinLimit = 0x1p300;
+  std::vector<PointD> ends;
+  for (const Side side : kBothSides) {
+    const auto may_be_added = [&](VertexId v) {
+      const PointD& p = sides.points[side].rough(v);
+      ends.push_back(p);
+      return std::max(std::abs(p.x), std::abs(p.y)) < kSurelyWithinLimit ||
+             is_within_limit(sides.point(side, v));
+    };
+    const auto may_be_cycle = [&](CycleId cycle) {
+      const auto halfedges = sides[side].cycles[cycle];
+      return std::all_of(halfedges.begin(), halfedges.end(), [&](HalfedgeId h) {
+        return may_be_added(sides[side].origin(h)) && may_be_added(sides[side].target(h));
+      });
+    };
+    for (const std::size_t f : faces[side]) {
+      const auto holes = sides[side].face_holes[f];
+      if (!may_be_cycle(sides[side].face_outer[f]) ||
+          !std::all_of(holes.begin(), holes.end(), may_be_cycle))
+        return false;
+    }
+  }
+  return !are_crowded(ends);
 }
 
 std::optional<std::vector<Region>> overlay(const Sides& sides,
                                            const Both<std::vector<std::size_t>>& faces,
                                            bool float_is_valid) {
-  const std::vector<BoundaryPiece> pieces = boundaries(sides, faces);
-  if (float_is_valid && can_be_overlaid(pieces)) return face_overlaps(sides, faces);
-  const std::optional<Overlaid> overlaid = compare_steps::overlaid(pieces, {});
+  if (!can_be_overlaid(sides, faces)) return std::nullopt;
+  if (float_is_valid) return face_overlaps(sides, faces);
+  const std::optional<Overlaid> overlaid = compare_steps::overlaid(boundaries(sides, faces), {});
   if (!overlaid) return std::nullopt;
   const std::vector<Rational> areas = face_areas(overlaid->complex);
   std::vector<Region> regions;

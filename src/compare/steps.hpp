@@ -13,7 +13,7 @@ namespace plumbline::compare_steps {
 /// How much of each finding is wanted.
 enum class Detail {
   Full,
-  CellsOnly,  ///< which cells are in findings: not the areas and places of faces
+  CellsOnly,  ///< which cells are in findings: not distances along edges, areas and places of faces
   /// Of faces only which exact ones are in findings, of holes nothing, of vertices and edges all.
   ExactCellsOnly,
 };
@@ -59,7 +59,8 @@ struct EdgeMatch {
 /// Edges are matched if their ends are (one to one, or by their images). The others are collapsed
 /// or parallel (Merged, Split), lie along a chain of edges of the other side (Split, Merged), or
 /// are Missing or Extra. Cost: near-linear; a chain costs the edges within the tolerance of it.
-EdgeMatch match_edges(const Sides& sides, const VertexMatch& vertices, std::size_t first_number);
+EdgeMatch match_edges(const Sides& sides, const VertexMatch& vertices, std::size_t first_number,
+                      Detail detail);
 
 /// Cycles of each side, walked through the edge match, against those of the other side.
 struct CycleMatch {

@@ -25,23 +25,6 @@ Windings summed(Windings windings) {
   return result;
 }
 
-/// Whether most pieces lie in crowds that no bucket can part, which takes time quadratic in them.
-bool is_crowded(const std::vector<BoundaryPiece>& pieces) {
-  constexpr double kTiny = 0x1p-24;  // of the extent
-  if (pieces.size() <= kMostTinyPieces) return false;
-  std::vector<PointD> ends;
-  for (const BoundaryPiece& piece : pieces) {
-    ends.push_back(nearest(piece.a));
-    ends.push_back(nearest(piece.b));
-  }
-  const double least = kTiny * box_of(ends).longer_side();
-  std::size_t tiny = 0;
-  for (std::size_t i = 0; i < ends.size(); i += 2) {
-    if (box_of(std::span(ends).subspan(i, 2)).longer_side() < least) ++tiny;
-  }
-  return tiny > kMostTinyPieces;
-}
-
 /// The arrangement, edges with the numbers of the pieces on them.
 std::optional<ExactComplex> arranged(const std::vector<BoundaryPiece>& pieces) {
   if (!can_be_overlaid(pieces)) return std::nullopt;
@@ -77,11 +60,27 @@ void add_boundary(std::vector<BoundaryPiece>& pieces, const ExactComplex& comple
   for (const CycleId hole : complex.face_holes[f]) add(hole);
 }
 
+// Pieces in crowds that no bucket can part take time quadratic in them.
+bool are_crowded(std::span<const PointD> ends) {
+  constexpr double kTiny = 0x1p-24;  // of the extent
+  if (ends.size() <= 2 * kMostTinyPieces) return false;
+  const double least = kTiny * box_of(ends).longer_side();
+  std::size_t tiny = 0;
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    if (box_of(ends.subspan(i, 2)).longer_side() < least) ++tiny;
+  }
+  return tiny > kMostTinyPieces;
+}
+
 bool can_be_overlaid(const std::vector<BoundaryPiece>& pieces) {
-  return !is_crowded(pieces) &&
-         std::all_of(pieces.begin(), pieces.end(), [](const BoundaryPiece& piece) {
-           return piece.a == piece.b || (is_within_limit(piece.a) && is_within_limit(piece.b));
-         });
+  std::vector<PointD> ends;
+  for (const BoundaryPiece& piece : pieces) {
+    if (piece.a == piece.b) continue;
+    if (!is_within_limit(piece.a) || !is_within_limit(piece.b)) return false;
+    ends.push_back(nearest(piece.a));
+    ends.push_back(nearest(piece.b));
+  }
+  return !are_crowded(ends);
 }
 
 std::optional<Overlaid> overlaid(const std::vector<BoundaryPiece>& pieces, Windings outside) {

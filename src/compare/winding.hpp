@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,8 @@ void add_boundary(std::vector<BoundaryPiece>& pieces, const ExactComplex& comple
 /// for more than kMostTinyPieces pieces shorter than 2^-24 of the extent.
 inline constexpr std::size_t kMostTinyPieces = 2000;
 bool can_be_overlaid(const std::vector<BoundaryPiece>& pieces);
+/// Whether too many pieces are that short. Ends are rounded, two successive ones are a piece.
+bool are_crowded(std::span<const PointD> ends);
 
 /// The arrangement of all pieces and the windings in each of its faces.
 struct Overlaid {
