@@ -45,7 +45,8 @@ Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
   result.float_valid = result.findings.empty();
   if (compared == Compared::All && detail == Detail::Full)
     append(compare_steps::miscoverings(sides, result.findings));
-  const compare_steps::VertexMatch vertices = compare_steps::match_vertices(sides, next_number());
+  const compare_steps::VertexMatch vertices =
+      compare_steps::match_vertices(sides, next_number(), detail);
   append(vertices.findings);
   const compare_steps::EdgeMatch edges =
       compare_steps::match_edges(sides, vertices, next_number(), detail);

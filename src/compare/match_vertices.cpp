@@ -205,7 +205,7 @@ std::vector<Finding> match_moved(VertexMatch& result, const Sides& sides) {
 
 /// A vertex of the side without any vertex of the other one within the tolerance.
 Finding lacking_vertex(const Sides& sides, Side side, VertexId v,
-                       const std::optional<Near>& nearest_other) {
+                       const std::optional<Near>& nearest_other, Detail detail) {
   Finding finding;
   finding.kind = CellKind::Vertex;
   finding.disagreement = lacking(side);
@@ -214,8 +214,9 @@ Finding lacking_vertex(const Sides& sides, Side side, VertexId v,
   finding.segments = segments_at(sides, side, std::array{v});
   finding.message = side == Exact ? "an exact vertex is missing from the float result"
                                   : "a float vertex has no exact counterpart";
-  if (nearest_other) {
-    finding.squared_distance = nearest_other->squared_distance;
+  if (nearest_other && detail == Detail::Full) {
+    finding.squared_distance =
+        squared_distance(finding.where, sides.point(other(side), nearest_other->vertex));
     finding.distance = length(*finding.squared_distance);
     finding.message += fmt::format("; the nearest {} vertex is {} away", name(other(side)),
                                    rough(*finding.distance));
@@ -225,21 +226,22 @@ Finding lacking_vertex(const Sides& sides, Side side, VertexId v,
 
 /// Vertices of the side that are one vertex of the other: its match first, then those left over.
 Finding joined_vertices(const Sides& sides, Side side, const std::vector<VertexId>& vertices,
-                        VertexId into) {
+                        VertexId into, Detail detail) {
   Finding finding;
   finding.kind = CellKind::Vertex;
   finding.disagreement = joining(side);
   finding.where = sides.point(other(side), into);
-  Rational farthest = 0;
-  for (const VertexId v : vertices)
-    farthest = std::max(farthest, squared_distance(sides.point(side, v), finding.where));
-  finding.squared_distance = farthest;
-  finding.distance = length(farthest);
   cells(finding, side).assign(vertices.begin(), vertices.end());
   std::sort(cells(finding, side).begin(), cells(finding, side).end());
   cells(finding, other(side)) = {into};
   finding.segments =
       joined(segments_at(sides, side, vertices), segments_at(sides, other(side), std::array{into}));
+  if (detail != Detail::Full) return finding;
+  Rational farthest = 0;
+  for (const VertexId v : vertices)
+    farthest = std::max(farthest, squared_distance(sides.point(side, v), finding.where));
+  finding.squared_distance = farthest;
+  finding.distance = length(farthest);
   const double apart = length(
       squared_distance(sides.point(side, vertices.front()), sides.point(side, vertices.back())));
   const std::string spread = vertices.size() == 2
@@ -261,18 +263,24 @@ void add(VertexMatch& result, Finding finding, std::size_t first_number) {
 
 /// Reports the vertices of the side that have no match, and fills in their images.
 void account_for_unmatched(VertexMatch& result, const Sides& sides, Side side,
-                           const NearVertices& others, std::size_t first_number) {
+                           const NearVertices& others, std::size_t first_number, Detail detail) {
+  const Distances distances(sides);
   std::vector<std::vector<VertexId>> joined_into(sides[other(side)].vertices.size());
   std::vector<Finding> lacking_ones;
   for (std::size_t i = 0; i < sides[side].vertices.size(); ++i) {
     const VertexId v(i);
     if (result.match[side][v].valid()) continue;
     const std::optional<Near> near = others.nearest_to(sides.points[side], v);
-    if (near && near->squared_distance <= sides.squared_tolerance) {
+    const auto is_within_tolerance = [&] {
+      return distances.are_within_tolerance(side == Exact
+                                                ? Candidate{v, near->vertex, near->distance}
+                                                : Candidate{near->vertex, v, near->distance});
+    };
+    if (near && is_within_tolerance()) {
       result.image[side][v] = near->vertex;
       joined_into[near->vertex].push_back(v);
     } else {
-      lacking_ones.push_back(lacking_vertex(sides, side, v, near));
+      lacking_ones.push_back(lacking_vertex(sides, side, v, near, detail));
     }
   }
   for (std::size_t i = 0; i < joined_into.size(); ++i) {
@@ -280,14 +288,14 @@ void account_for_unmatched(VertexMatch& result, const Sides& sides, Side side,
     if (joined_into[into].empty()) continue;
     if (const VertexId match = result.match[other(side)][into]; match.valid())
       joined_into[into].insert(joined_into[into].begin(), match);
-    add(result, joined_vertices(sides, side, joined_into[into], into), first_number);
+    add(result, joined_vertices(sides, side, joined_into[into], into, detail), first_number);
   }
   for (Finding& finding : lacking_ones) add(result, std::move(finding), first_number);
 }
 
 }  // namespace
 
-VertexMatch match_vertices(const Sides& sides, std::size_t first_number) {
+VertexMatch match_vertices(const Sides& sides, std::size_t first_number, Detail detail) {
   const NearVertices exacts(sides.points[Exact]);
   const NearVertices floats(sides.points[Float]);
   VertexMatch result = one_to_one(sides, floats);
@@ -295,8 +303,8 @@ VertexMatch match_vertices(const Sides& sides, std::size_t first_number) {
   result.moved_count = moved.size();
   result.image = result.match;
   for (Finding& finding : moved) add(result, std::move(finding), first_number);
-  account_for_unmatched(result, sides, Exact, floats, first_number);
-  account_for_unmatched(result, sides, Float, exacts, first_number);
+  account_for_unmatched(result, sides, Exact, floats, first_number, detail);
+  account_for_unmatched(result, sides, Float, exacts, first_number, detail);
   return result;
 }
 

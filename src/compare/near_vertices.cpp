@@ -82,15 +82,21 @@ std::optional<Near> NearVertices::nearest_to(const FilteredPoints& points, std::
   const std::vector<std::size_t> found = tree.index.nearest(
       tree.scaled(points.rough(p)), kNearestProposals, std::numeric_limits<double>::max());
   const double slack = distance_slack(points, vertices_);
+  std::vector<Near> near;
   double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t i : found)
-    least = std::min(least, distance(points.rough(p), vertices_.rough(i)));
-  std::optional<Near> nearest;
   for (const std::size_t i : found) {
-    if (distance(points.rough(p), vertices_.rough(i)) > least + 2 * slack) continue;
-    Near near{VertexId(i), squared_distance(points[p], vertices_[i])};
-    const int order = nearest ? cmp(near.squared_distance, nearest->squared_distance) : -1;
-    if (order < 0 || (order == 0 && near.vertex < nearest->vertex)) nearest = std::move(near);
+    near.push_back({VertexId(i), distance(points.rough(p), vertices_.rough(i))});
+    least = std::min(least, near.back().distance);
+  }
+  std::erase_if(near, [&](const Near& one) { return one.distance > least + 2 * slack; });
+  if (near.empty()) return std::nullopt;
+  const auto squared = [&](const Near& one) {
+    return squared_distance(points[p], vertices_[one.vertex]);
+  };
+  Near nearest = near.front();
+  for (std::size_t i = 1; i < near.size(); ++i) {
+    const int order = cmp(squared(near[i]), squared(nearest));
+    if (order < 0 || (order == 0 && near[i].vertex < nearest.vertex)) nearest = near[i];
   }
   return nearest;
 }

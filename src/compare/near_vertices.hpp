@@ -9,10 +9,10 @@
 
 namespace plumbline::compare_steps {
 
-/// A vertex and its exact squared distance from the point asked for.
+/// A vertex and its distance from the point asked for, off by at most the slack of both lists.
 struct Near {
   VertexId vertex;
-  Rational squared_distance;
+  double distance;
 };
 
 /// Finds the vertices of a complex near a point. A KD-tree on rounded coordinates proposes, exact

@@ -13,7 +13,7 @@ namespace plumbline::compare_steps {
 /// How much of each finding is wanted.
 enum class Detail {
   Full,
-  CellsOnly,  ///< which cells are in findings: not distances along edges, areas and places of faces
+  CellsOnly,  ///< which cells are in findings: not distances, areas and places of faces
   /// Of faces only which exact ones are in findings, of holes nothing, of vertices and edges all.
   ExactCellsOnly,
 };
@@ -44,7 +44,7 @@ struct VertexMatch {
 /// their edges are Moved (`moved_vertices`); what is left over is Merged or Split if there is a
 /// vertex of the other side within the tolerance, else Missing or Extra. Cost: O(n log n), with at
 /// most NearVertices::kMaxNeighbours candidates a vertex.
-VertexMatch match_vertices(const Sides& sides, std::size_t first_number);
+VertexMatch match_vertices(const Sides& sides, std::size_t first_number, Detail detail);
 
 struct EdgeMatch {
   Both<std::vector<EdgeId>> match;      ///< one to one; invalid where there is none
