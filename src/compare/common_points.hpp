@@ -19,6 +19,7 @@ class CommonPoints {
   std::size_t operator()(Side side, VertexId v) const {
     return side == Exact ? v : number_of_float_[v];
   }
+  std::size_t size() const { return points_.size(); }
   const Point& point(std::size_t p) const { return points_[p]; }
   const PointD& rough(std::size_t p) const { return filtered_.rough(p); }
   double error() const { return filtered_.error(); }

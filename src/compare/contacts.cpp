@@ -24,10 +24,10 @@ class ContactSearch {
  public:
   ContactSearch(const Sides& sides, const CommonPoints& points)
       : sides_(sides), points_(points), margin_(kMarginInErrors * points.error()) {
-    for (const Side side : kBothSides) result_[side].resize(sides[side].edge_count());
+    for (const Side side : kBothSides) result_.of_edge[side].resize(sides[side].edge_count());
   }
 
-  Both<Contacts> run(const Both<std::vector<EdgeId>>& edges) {
+  Contacts run(const Both<std::vector<EdgeId>>& edges) {
     std::vector<TreeValue> values;
     const double unit = unit_of(Float, edges[Float]);
     for (const EdgeId f : edges[Float])
@@ -44,7 +44,7 @@ class ContactSearch {
       for (const EdgeId f : near) meet(e, f);
     }
     for (const Side side : kBothSides)
-      for (const EdgeId e : edges[side]) bring_into_order(result_[side][e]);
+      for (const EdgeId e : edges[side]) bring_into_order(result_.of_edge[side][e]);
     return std::move(result_);
   }
 
@@ -65,12 +65,12 @@ class ContactSearch {
   void meet(EdgeId e, EdgeId f);
   void touch(Side side, EdgeId e, VertexId w, EdgeId f);
   Point crossing(const Ends& e, const Ends& f) const;
-  static void bring_into_order(std::vector<Contact>& contacts);
+  void bring_into_order(std::vector<Contact>& contacts) const;
 
   const Sides& sides_;
   const CommonPoints& points_;
   const double margin_;
-  Both<Contacts> result_;
+  Contacts result_;
 };
 
 /// The average extent of the edges.
@@ -119,9 +119,10 @@ void ContactSearch::meet(EdgeId e, EdgeId f) {
   const int head_of_e = points_.orientation(there.tail, there.head, here.head);
   if (tail_of_e * head_of_e > 0) return;
   if (tail_of_f * head_of_f < 0 && tail_of_e * head_of_e < 0) {
-    const Point at = crossing(here, there);
-    result_[Exact][e].push_back({at, Contact::kCrossing, {}, f});
-    result_[Float][f].push_back({at, Contact::kCrossing, {}, e});
+    const std::size_t number = points_.size() + result_.crossings.size();
+    result_.crossings.push_back(crossing(here, there));
+    result_.of_edge[Exact][e].push_back({number, {}, f});
+    result_.of_edge[Float][f].push_back({number, {}, e});
     return;
   }
   if (tail_of_f == 0) touch(Exact, e, sides_[Float].edges[f].tail, f);
@@ -135,22 +136,23 @@ void ContactSearch::touch(Side side, EdgeId e, VertexId w, EdgeId f) {
   const Ends at = ends(side, e);
   const std::size_t p = points_(other(side), w);
   if (points_.is_before(p, at.tail) || points_.is_before(at.head, p)) return;
-  result_[side][e].push_back({points_.point(p), p, w, {}});
+  result_.of_edge[side][e].push_back({p, w, {}});
   if (p == at.tail || p == at.head) return;  // then both are vertices
-  result_[other(side)][f].push_back({points_.point(p), p, {}, e});
+  result_.of_edge[other(side)][f].push_back({p, {}, e});
 }
 
-void ContactSearch::bring_into_order(std::vector<Contact>& contacts) {
-  std::sort(contacts.begin(), contacts.end(),
-            [](const Contact& a, const Contact& b) { return a.at < b.at; });
-  const auto is_same = [](const Contact& a, const Contact& b) { return a.at == b.at; };
+void ContactSearch::bring_into_order(std::vector<Contact>& contacts) const {
+  std::sort(contacts.begin(), contacts.end(), [&](const Contact& a, const Contact& b) {
+    return a.point != b.point && result_.place(points_, a) < result_.place(points_, b);
+  });
+  const auto is_same = [](const Contact& a, const Contact& b) { return a.point == b.point; };
   contacts.erase(std::unique(contacts.begin(), contacts.end(), is_same), contacts.end());
 }
 
 }  // namespace
 
-Both<Contacts> contacts(const Sides& sides, const CommonPoints& points,
-                        const Both<std::vector<EdgeId>>& edges) {
+Contacts contacts(const Sides& sides, const CommonPoints& points,
+                  const Both<std::vector<EdgeId>>& edges) {
   return ContactSearch(sides, points).run(edges);
 }
 

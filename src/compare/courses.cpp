@@ -7,11 +7,11 @@
 
 namespace plumbline::compare_steps {
 
-Courses::Courses(const Sides& sides, const CommonPoints& points, const Both<Contacts>& contacts)
+Courses::Courses(const Sides& sides, const CommonPoints& points, const Contacts& contacts)
     : sides_(sides), points_(points), contacts_(contacts) {
   for (const Side side : kBothSides) around_[side].resize(sides[side].vertices.size());
   for (const Side side : kBothSides)
-    for (const std::vector<Contact>& list : contacts[side])
+    for (const std::vector<Contact>& list : contacts.of_edge[side])
       for (const Contact& contact : list) {
         if (!contact.vertex.valid()) continue;
         std::vector<HalfedgeId>& leaving = around_[other(side)][contact.vertex];
@@ -67,25 +67,27 @@ Course Courses::from(Side there, const Contact& contact, std::size_t towards, Wa
 std::vector<Piece> Courses::pieces(Side side, EdgeId e) const {
   const Edge& edge = sides_[side].edges[e];
   const std::size_t tail = points_(side, edge.tail), head = points_(side, edge.head);
-  const std::vector<Contact>& list = contacts_[side][e];
+  const std::vector<Contact>& list = contacts_.of_edge[side][e];
   if (list.empty()) return {{&points_.point(tail), &points_.point(head), {}}};
   std::vector<Piece> result;
   if (list.front().point != tail) {
     Course course = from(other(side), list.front(), tail, Way::Backward);
     if (course.along.valid())
       course = {sides_[other(side)].halfedge_face[twin(course.along)], twin(course.along)};
-    result.push_back({&points_.point(tail), &list.front().at, course});
+    result.push_back({&points_.point(tail), &contacts_.place(points_, list.front()), course});
   }
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (list[i].point == head) break;
-    const Point* to = i + 1 < list.size() ? &list[i + 1].at : &points_.point(head);
-    result.push_back({&list[i].at, to, from(other(side), list[i], head, Way::Forward)});
+    const Point* to =
+        i + 1 < list.size() ? &contacts_.place(points_, list[i + 1]) : &points_.point(head);
+    result.push_back(
+        {&contacts_.place(points_, list[i]), to, from(other(side), list[i], head, Way::Forward)});
   }
   return result;
 }
 
 bool Courses::is_contact(Side side, EdgeId e, VertexId end) const {
-  const std::vector<Contact>& list = contacts_[side][e];
+  const std::vector<Contact>& list = contacts_.of_edge[side][e];
   const std::size_t p = points_(side, end);
   return !list.empty() && (list.front().point == p || list.back().point == p);
 }

@@ -20,12 +20,12 @@ struct Piece {
 class Courses {
  public:
   /// Keeps references.
-  Courses(const Sides& sides, const CommonPoints& points, const Both<Contacts>& contacts);
+  Courses(const Sides& sides, const CommonPoints& points, const Contacts& contacts);
 
   /// The pieces of an edge, in its direction. An edge that has no contact is one piece, which runs
   /// through no face yet: see `is_free`.
   std::vector<Piece> pieces(Side side, EdgeId e) const;
-  bool is_free(Side side, EdgeId e) const { return contacts_[side][e].empty(); }
+  bool is_free(Side side, EdgeId e) const { return contacts_.of_edge[side][e].empty(); }
   /// Whether an end of an edge is a contact.
   bool is_contact(Side side, EdgeId e, VertexId end) const;
 
@@ -39,7 +39,7 @@ class Courses {
 
   const Sides& sides_;
   const CommonPoints& points_;
-  const Both<Contacts>& contacts_;
+  const Contacts& contacts_;
   Both<std::vector<std::vector<HalfedgeId>>> around_;  ///< per vertex that is a contact
 };
 

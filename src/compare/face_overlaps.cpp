@@ -71,7 +71,7 @@ class OverlapSums {
   const Sides& sides_;
   const Both<std::vector<EdgeId>> edges_;
   const CommonPoints points_;
-  const Both<Contacts> contacts_;
+  const Contacts contacts_;
   const Courses courses_;
   Both<std::vector<bool>> is_asked_;
   std::map<std::pair<std::size_t, std::size_t>, Rational> twice_common_;
