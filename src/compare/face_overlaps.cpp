@@ -41,17 +41,13 @@ class OverlapSums {
         }
     }
     std::vector<Region> result;
-    Both<std::map<std::size_t, Rational>> rest;
-    for (const Side side : kBothSides)
-      for (const std::size_t f : faces[side]) rest[side][f] = twice_area(side, FaceId(f));
-    for (const auto& [pair, twice] : twice_common_) {
+    for (const auto& [pair, twice] : twice_) {
+      ensure(sgn(twice) >= 0, "what faces of valid complexes have in common has no negative area");
       if (sgn(twice) == 0) continue;
-      rest[Exact][pair.first] -= twice;
-      rest[Float][pair.second] -= twice;
-      add_region(result, twice, {{{pair.first}, {pair.second}}});
+      Region& region = result.emplace_back(Region{twice / 2, {}});
+      if (pair.first != kNoFace) region.faces[Exact].push_back(pair.first);
+      if (pair.second != kNoFace) region.faces[Float].push_back(pair.second);
     }
-    for (const auto& [f, twice] : rest[Exact]) add_region(result, twice, {{{f}, {}}});
-    for (const auto& [g, twice] : rest[Float]) add_region(result, twice, {{{}, {g}}});
     return result;
   }
 
@@ -59,22 +55,18 @@ class OverlapSums {
   std::vector<EdgeId> edges_around(Side side, const Faces& faces) const;
   std::vector<FaceId> faces_around_free_edges(Side side) const;
   void add_piece(Side side, EdgeId e, const Piece& piece);
-  Rational twice_area(Side side, FaceId f) const;
 
+  static constexpr std::size_t kNoFace = static_cast<std::size_t>(-1);
+  std::size_t asked(Side side, FaceId f) const { return is_asked(side, f) ? f : kNoFace; }
   bool is_asked(Side side, FaceId f) const { return f.valid() && is_asked_[side][f]; }
-  static void add_region(std::vector<Region>& regions, const Rational& twice, Faces faces) {
-    ensure(sgn(twice) >= 0,
-           "faces of valid complexes have no more in common than there is of them");
-    if (sgn(twice) > 0) regions.push_back({twice / 2, std::move(faces)});
-  }
-
   const Sides& sides_;
   const Both<std::vector<EdgeId>> edges_;
   const CommonPoints points_;
   const Contacts contacts_;
   const Courses courses_;
   Both<std::vector<bool>> is_asked_;
-  std::map<std::pair<std::size_t, std::size_t>, Rational> twice_common_;
+  /// By exact and float face; where there is none that is asked for, kNoFace.
+  std::map<std::pair<std::size_t, std::size_t>, Rational> twice_;
 };
 
 /// The edges between two faces of which at least one is asked for.
@@ -129,37 +121,28 @@ std::vector<FaceId> OverlapSums::faces_around_free_edges(Side side) const {
 }
 
 /// What lies left of the piece gains, what lies right of it loses. What runs along an edge of the
-/// other side counts once, for the exact side.
+/// other side counts once, for the exact side if that edge is between faces asked for.
 void OverlapSums::add_piece(Side side, EdgeId e, const Piece& piece) {
-  const bool is_along = piece.course.along.valid();
-  if (is_along && side == Float) return;
+  const HalfedgeId along = piece.course.along;
+  const bool is_along = along.valid();
+  const auto is_asked_beside = [&](HalfedgeId h) {
+    return is_asked(other(side), sides_[other(side)].halfedge_face[h]);
+  };
+  if (side == Float && is_along && (is_asked_beside(along) || is_asked_beside(twin(along)))) return;
   std::optional<Rational> gain;
   for (const bool is_right : {false, true}) {
     const FaceId here = sides_[side].halfedge_face[halfedge(e, is_right)];
     FaceId there = piece.course.face;
-    if (is_along && is_right) there = sides_[other(side)].halfedge_face[twin(piece.course.along)];
-    if (!is_asked(side, here) || !is_asked(other(side), there)) continue;
+    if (is_along && is_right) there = sides_[other(side)].halfedge_face[twin(along)];
+    if (!is_asked(side, here) && !is_asked(other(side), there)) continue;
     if (!gain) gain = cross(*piece.from, *piece.to);
-    const auto pair = side == Exact ? std::pair<std::size_t, std::size_t>(here, there)
-                                    : std::pair<std::size_t, std::size_t>(there, here);
+    std::pair pair(asked(side, here), asked(other(side), there));
+    if (side == Float) std::swap(pair.first, pair.second);
     if (is_right)
-      twice_common_[pair] -= *gain;
+      twice_[pair] -= *gain;
     else
-      twice_common_[pair] += *gain;
+      twice_[pair] += *gain;
   }
-}
-
-Rational OverlapSums::twice_area(Side side, FaceId f) const {
-  const ExactComplex& complex = sides_[side];
-  Rational twice = 0;
-  const auto add = [&](CycleId cycle) {
-    for (const HalfedgeId h : complex.cycles[cycle])
-      if (!complex.is_antenna(edge_of(h)))
-        twice += cross(complex.vertices[complex.origin(h)], complex.vertices[complex.target(h)]);
-  };
-  add(complex.face_outer[f]);
-  for (const CycleId hole : complex.face_holes[f]) add(hole);
-  return twice;
 }
 
 }  // namespace
