@@ -10,7 +10,7 @@ namespace {
 /// Gives each float vertex a number. Both lists are ascending.
 std::vector<Point> joined_points(const Sides& sides, std::vector<std::size_t>& number_of_float) {
   const FilteredPoints &exacts = sides.points[Exact], &floats = sides.points[Float];
-  std::vector<Point> result = sides[Exact].vertices;
+  std::vector<Point> result(sides[Exact].vertices.begin(), sides[Exact].vertices.end());
   for (std::size_t v = 0, w = 0; w < floats.size(); ++w) {
     const PointD& q = floats.rough(w);
     while (v < exacts.size() &&
@@ -35,7 +35,8 @@ long double fine(const Rational& x) {
 
 CommonPoints::CommonPoints(const Sides& sides)
     : points_(joined_points(sides, number_of_float_)),
-      filtered_(points_),
+      stored_(points_),
+      filtered_(stored_),
       fine_(fine_points(points_)) {
   long double largest = 0;
   for (const Fine& p : fine_) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
