@@ -175,6 +175,17 @@ TEST_CASE("what rounding changes after the maps only is laid to transforming") {
   CHECK(only_cause(result.conversion_causes).first == "transform");
 }
 
+TEST_CASE("whoever waits is told which part of a check begins") {
+  std::string parts;
+  CheckOptions options;
+  options.begins = [&](const std::string& part) { parts += part + "; "; };
+  check_lar(segments("0 0 1 1  0 1 1 0"), {}, options);
+  CHECK(parts == "comparing with float LAR; arranging the drawing in doubles; ");
+  parts.clear();
+  check_lar(segments("0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0"), 0.1, options);
+  CHECK(parts.find("looking for the stages that made ") != std::string::npos);
+}
+
 TEST_CASE("what a rotation in the file changes is laid to transforming") {
   const Structure drawing = read_svg(
       "<svg xmlns='http://www.w3.org/2000/svg'><g transform='rotate(30)'>"

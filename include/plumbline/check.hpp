@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 #include <optional>
 #include <vector>
 
@@ -59,6 +60,8 @@ struct CheckOptions {
   /// transforming did. Called where the answers differ; without it, all is parsing.
   std::function<SegmentSet()> parsed;
   std::size_t threads = 0;  ///< 0: as many as there are cores; does not change the result
+  /// Told which part of the work begins: "comparing", ...
+  std::function<void(const std::string&)> begins;
 };
 /// Double arithmetic and 15 written digits leave an error of 1e-15 of a coordinate; crossings at
 /// small angles, a drawing away from the origin and sums of errors multiply it. A factor of a

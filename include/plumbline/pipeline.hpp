@@ -66,8 +66,9 @@ struct AdvicePolicy {
 inline constexpr std::size_t kMostEdgesForAdvice = 20'000;
 
 /// The drawing held against the answer: `check`, which can tell parsing from transforming here.
+/// `begins` is told which part of the work begins.
 Check checked(Drawing drawing, Answer answer, std::optional<double> tolerance = {},
-              std::size_t threads = 0);
+              std::size_t threads = 0, std::function<void(const std::string&)> begins = {});
 /// `advised`, as far as the policy goes; else the check as it is.
 Check with_advice(Check check, const AdvicePolicy& policy, const AdviceOptions& options = {});
 

@@ -33,9 +33,14 @@ Comparison compare_answer(const ExactComplex& exact_complex, const Answer& answe
   return compare(exact_complex, exact(answer.complex), tolerance, answer.compared);
 }
 
+void tell(const CheckOptions& options, const std::string& part) {
+  if (options.begins) options.begins(part);
+}
+
 /// The second answer, and why it differs from the first.
 void compare_conversion(Check& result, const CheckOptions& options) {
   const double tolerance = result.comparison.tolerance;
+  tell(options, "arranging the drawing in doubles");
   result.doubles_complex = arrange(rounded(result.input), options.threads);
   result.conversion = compare(result.exact_complex, result.doubles_complex, tolerance);
   std::optional<Comparison> parsed;
@@ -47,7 +52,7 @@ void compare_conversion(Check& result, const CheckOptions& options) {
 }
 
 /// The stages that made the findings.
-void explain(Check& result, std::size_t threads) {
+void explain(Check& result, const CheckOptions& options) {
   const check_steps::Converted converted{result.conversion, result.conversion_causes};
   if (!result.answer.trace) {
     result.causes = check_steps::attribute_to_engine(result.comparison, result.answer.engine,
@@ -55,9 +60,11 @@ void explain(Check& result, std::size_t threads) {
     return;
   }
   if (result.agree()) return;
+  const std::size_t count = result.comparison.findings.size();
+  tell(options, "looking for the stages that made " + std::to_string(count) + " findings");
   const auto run = result.answer.trace();
   result.causes = check_steps::attribute(result.comparison, result.exact_complex,
-                                         result.answer.complex, *run, converted, threads);
+                                         result.answer.complex, *run, converted, options.threads);
 }
 
 /// What the engine itself says is wrong are findings, too.
@@ -89,9 +96,10 @@ Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
   const double tolerance = options.tolerance      ? *options.tolerance
                            : result.answer.radius ? *result.answer.radius
                                                   : tolerance_of_drawing(result.exact_complex);
+  tell(options, "comparing with " + result.answer.title);
   result.comparison = compare_answer(result.exact_complex, result.answer, tolerance);
   compare_conversion(result, options);
-  explain(result, options.threads);
+  explain(result, options);
   add_failures(result);
   add_dropped(result.input, result.answer);
   return result;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
@@ -51,10 +52,10 @@ Check compare(const CheckArguments& arguments, const std::vector<Engine>& engine
                 arguments.engine);
   }
   Drawing drawing = load(arguments);
-  const Progress progress(answer ? "comparing with " + answer->title
-                                 : "running the engine " + arguments.engine + " and comparing");
+  std::optional<Progress> shown("running the engine " + arguments.engine);
   if (!answer) answer = answer_for(arguments, engine, drawing);
-  return checked(std::move(drawing), std::move(*answer), arguments.tolerance, arguments.threads);
+  return checked(std::move(drawing), std::move(*answer), arguments.tolerance, arguments.threads,
+                 [&](const std::string& part) { shown.emplace(part); });
 }
 
 Check advised_as_asked(Check result, const CheckArguments& arguments) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "plumbline/engines/files.hpp"
 #include "plumbline/engines/inters.hpp"
@@ -54,9 +55,9 @@ Engine inters_with_svg2lines(const Drawing& drawing) {
   return inters::engine({{}, text_of(drawing.file)});
 }
 
-Check checked(Drawing drawing, Answer answer, std::optional<double> tolerance,
-              std::size_t threads) {
-  CheckOptions options{tolerance, {}, threads};
+Check checked(Drawing drawing, Answer answer, std::optional<double> tolerance, std::size_t threads,
+              std::function<void(const std::string&)> begins) {
+  CheckOptions options{tolerance, {}, threads, std::move(begins)};
   options.parsed = [&] {
     const SegmentSet input = evaluate(rounded(std::move(drawing.structure)));
     return drawing.unit_square ? lar::to_unit_square(input) : input;
