@@ -32,7 +32,9 @@ const char* name(inters::Result result) {
 Check check_published(const SegmentSet& input, inters::Result result = kFaces,
                       double tolerance = kTolerance) {
   Answer answer = answer_of(inters::engine(), input, {{"result", std::string(name(result))}});
-  return check(input, arrange(input), std::move(answer), {tolerance, {}, 0});
+  CheckOptions options;
+  options.tolerance = tolerance;
+  return check(input, arrange(input), std::move(answer), options);
 }
 
 /// "intersect parallel-skipped 3; ...": stages, rules and their findings, of those whose message

@@ -44,7 +44,7 @@ room(pipeline error read chains arrange round check engines/lar/stages engines/i
 room(plumbline error number geometry structure read complex arrange round compare ladder diagnose engine check
      engines/lar/stages engines/inters/stages engines/files output engines/lar/show engines/inters/show
      pipeline)
-room(cli error detail read arrange round engines/files output engines/lar/show pipeline plumbline)
+room(cli error detail read arrange round engine engines/files output engines/lar/show pipeline plumbline)
 room(checker)
 
 # The room of a header in include/plumbline/, if it is not that of its name.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <functional>
-#include <string>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "plumbline/engine.hpp"

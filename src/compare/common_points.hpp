@@ -38,7 +38,7 @@ class CommonPoints {
 
   std::vector<std::size_t> number_of_float_;
   const std::vector<Point> points_;  ///< those of the exact side, then the others of the float side
-  const PointList stored_;  ///< the same
+  const PointList stored_;           ///< the same
   const FilteredPoints filtered_;
   const std::vector<Fine> fine_;
   long double fine_error_ = 0;  ///< of a coordinate of `fine_`
