@@ -29,9 +29,10 @@ std::string verdicts(const Check& advice) {
 }
 std::string verdicts(const std::vector<TriedRadius>& tried) {
   std::string text;
-  for (const TriedRadius& trial : tried)
+  for (const TriedRadius& trial : tried) {
     text += (text.empty() ? "" : ", ") + std::string(trial.is_right ? "right " : "wrong ") +
             shortest_text(trial.radius);
+  }
   return text;
 }
 

@@ -63,10 +63,11 @@ Findings findings(const std::string& name, const char* stage, Numbers numbers) {
                          files::answer(files::read_lar(model_text(result, faces), name)), options);
     Findings list;
     for (const Finding& f : check.comparison.findings) {
-      if (f.invariant)
+      if (f.invariant) {
         list["(" + to_text(*f.invariant) + ")"] = 1;
-      else
+      } else {
         ++list[to_text(f.kind) + " " + to_text(f.disagreement)];
+      }
     }
     return list;
   }

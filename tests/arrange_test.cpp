@@ -69,10 +69,12 @@ TEST_CASE("one segment is one antenna of the unbounded face") {
 TEST_CASE("m vertical and n horizontal lines make (m-1)(n-1) bounded faces") {
   const auto [m, n] = GENERATE(std::pair{1, 1}, std::pair{2, 5}, std::pair{7, 3});
   std::string text;
-  for (int i = 1; i <= m; ++i)
+  for (int i = 1; i <= m; ++i) {
     text += std::to_string(i) + " 0 " + std::to_string(i) + " " + std::to_string(n + 1) + "  ";
-  for (int j = 1; j <= n; ++j)
+  }
+  for (int j = 1; j <= n; ++j) {
     text += "0 " + std::to_string(j) + " " + std::to_string(m + 1) + " " + std::to_string(j) + "  ";
+  }
   const SegmentSet input = segments(text);
   const ExactComplex c = arrange(input);
   CHECK(c.vertices.size() == static_cast<std::size_t>(m * n + 2 * (m + n)));
@@ -87,8 +89,9 @@ TEST_CASE("k lines in general position make (k-1)(k-2)/2 bounded faces") {
   // V).
   std::string text;
   const int k = 9;
-  for (int i = 1; i <= k; ++i)
+  for (int i = 1; i <= k; ++i) {
     text += "-100 " + std::to_string(-50 * i) + " 100 " + std::to_string(i * i * i) + "  ";
+  }
   CHECK(arranged(text) == "V 54 E 81 F 29 C 1 antennas 18");
 }
 
@@ -127,8 +130,9 @@ TEST_CASE("ten thousand copies of a segment are one edge with all sources") {
 
 TEST_CASE("a thousand overlapping collinear segments are a chain of edges") {
   std::string text;
-  for (int i = 0; i < 1000; ++i)
+  for (int i = 0; i < 1000; ++i) {
     text += std::to_string(i) + " 0 " + std::to_string(i + 1000) + " 0  ";
+  }
   const SegmentSet input = segments(text);
   const ExactComplex complex = arrange(input);
   CHECK(summary(complex) == "V 2000 E 1999 F 1 C 1 antennas 1999");

@@ -22,8 +22,9 @@ std::string counts(const Arrangement& a) {
 /// Canonical vertex of each vertex, by its exact point.
 std::vector<VertexId> canonical_vertices(const Arrangement& a, const ExactComplex& complex) {
   std::vector<VertexId> result;
-  for (std::size_t v = 0; v < a.vertex_count(); ++v)
+  for (std::size_t v = 0; v < a.vertex_count(); ++v) {
     result.emplace_back(complex.vertices.count_before(a.point(VertexId(v))));
+  }
   return result;
 }
 

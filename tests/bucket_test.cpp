@@ -110,8 +110,9 @@ TEST_CASE("buckets: a hatch of parallel slanted lines crosses nothing") {
 
 TEST_CASE("buckets: one long line through many short ones") {
   std::string text = "-1 0 1001 0  ";
-  for (int i = 0; i < 1000; ++i)
+  for (int i = 0; i < 1000; ++i) {
     text += std::to_string(i) + " -1/1000 " + std::to_string(i) + " 1/1000  ";
+  }
   CHECK(arranged(text) == "V 3002 E 3001 F 1 C 1 antennas 3001");
 }
 
@@ -159,8 +160,9 @@ TEST_CASE("far from the origin, a drawing is arranged as near it") {
     }
     for (const Point& p : near.points) far.add_point({p.x + d, p.y - d}, source);
     ExactComplex moved = arrange(far);
-    for (std::size_t v = 0; v < moved.vertices.size(); ++v)
+    for (std::size_t v = 0; v < moved.vertices.size(); ++v) {
       moved.vertices.replace(v, {moved.vertices[v].x - d, moved.vertices[v].y + d});
+    }
     CHECK(moved == arrange(near));
   }
   CHECK(kernel_of("10000000000000000000 5 10000000000000000001 6") == "narrow");
@@ -251,8 +253,9 @@ struct ExactKernels {
     for (const auto& line : grid.lines) {
       const mpz_class weight(static_cast<int>(lines.size() % 3 + 1));
       lines.emplace_back();
-      for (std::size_t k = 0; k < line.size(); ++k)
+      for (std::size_t k = 0; k < line.size(); ++k) {
         lines.back()[k] = bucket::to_mpz(line[k]) * weight;
+      }
       lines.back()[4] = weight;
     }
     wide = {grid.lines, grid.frame};

@@ -80,12 +80,14 @@ TEST_CASE("every relation holds for a right complex and fails for one with a ver
 TEST_CASE("an input is made small: what can be left out goes, numbers become short") {
   // Fails where two segments cross properly.
   const auto crosses = [](const SegmentSet& set) {
-    for (const Segment& s : set.segments)
+    for (const Segment& s : set.segments) {
       for (const Segment& t : set.segments) {
         if (orientation(s.a, s.b, t.a) * orientation(s.a, s.b, t.b) < 0 &&
-            orientation(t.a, t.b, s.a) * orientation(t.a, t.b, s.b) < 0)
+            orientation(t.a, t.b, s.a) * orientation(t.a, t.b, s.b) < 0) {
           return true;
+        }
       }
+    }
     return false;
   };
   SegmentSet input = inputs::of_family("near corners", 5);
@@ -131,8 +133,9 @@ TEST_CASE("small inputs are small, and full places are not") {
     const bool is_full = inputs::cost(family) == inputs::Cost::FullPlace;
     std::size_t sum = 0;
     constexpr unsigned kInputs = 50;
-    for (unsigned seed = 0; seed < kInputs; ++seed)
+    for (unsigned seed = 0; seed < kInputs; ++seed) {
       sum += inputs::of_family(family, seed, inputs::Extent::Small).segments.size();
+    }
     CHECK((sum <= 15 * kInputs) == !is_full);
   }
 }

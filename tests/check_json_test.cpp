@@ -54,8 +54,9 @@ TEST_CASE("the JSON of a check fits its schema") {
       GENERATE(as<std::string>(), "", "0 0 1 0", "+ 1 2",
                "0 0 4 0  4 0 4 0.01  4 0.01 0 4  0 4 0 0", "10 0 10.9 0.3  10.3 0.1 10.5 2",
                "0 0 1/3 1  0 1 1/7 0", "0 0 1e60 1  5 0 5 1e60", "0 0 1e-60 1  0 1 1e-70 0");
-  for (const std::optional<double> radius : {std::optional<double>(), std::optional(0.1)})
+  for (const std::optional<double> radius : {std::optional<double>(), std::optional(0.1)}) {
     CHECK(misfit(parsed(json_of(drawing, radius))).empty());
+  }
 }
 
 TEST_CASE("the schema refuses what is no check") {

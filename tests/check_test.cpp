@@ -36,8 +36,9 @@ StageAndRule only_cause(const std::vector<Cause>& causes) {
 Explained only_explained(const Check& check, CellKind kind) {
   std::vector<Explained> found;
   for (std::size_t i = 0; i < check.comparison.findings.size(); ++i) {
-    if (check.comparison.findings[i].kind == kind)
+    if (check.comparison.findings[i].kind == kind) {
       found.push_back({check.comparison.findings[i], check.causes[i]});
+    }
   }
   REQUIRE(found.size() == 1);
   return found.front();
@@ -100,8 +101,9 @@ TEST_CASE("an edge led through a vertex beside it is laid to intersecting") {
   // The wall ends 0.01 below the ceiling: a gap for CAD, a T junction within the radius.
   const Check result = checked("0 1 2 1  1 0 1 0.99", 0.1);
   CHECK(only_cause(result.causes) == StageAndRule("intersect", "snapped-to-edge"));
-  for (const Cause& cause : result.causes)
+  for (const Cause& cause : result.causes) {
     CHECK(cause.advice == "a radius below 0.01 keeps them apart");
+  }
 }
 
 TEST_CASE("the smallest examples of the catalogue have the rules that they are for") {

@@ -43,8 +43,9 @@ CellLists squares(std::initializer_list<std::array<double, 3>> corners_and_sides
   CellLists cells;
   for (const auto& [x, y, side] : corners_and_sides) {
     const std::size_t first = cells.vertices.size();
-    for (const PointD p : {PointD{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}})
+    for (const PointD p : {PointD{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}) {
       cells.vertices.push_back(p);
+    }
     cells.faces.push_back(
         {{VertexId(first), VertexId(first + 1), VertexId(first + 2), VertexId(first + 3)}});
   }
@@ -79,8 +80,9 @@ std::string coverage(const CellLists& cells, double tolerance = 0) {
   const FloatComplex complex = complex_from_faces(cells);
   const Comparison result = compare(arrange(segments("")), complex, tolerance);
   std::string text;
-  for (const Finding& f : result.findings)
+  for (const Finding& f : result.findings) {
     if (f.invariant == Invariant::Area) text += f.message + '\n';
+  }
   return text;
 }
 
@@ -164,8 +166,9 @@ TEST_CASE("windings count how often boundaries run around a place") {
   // A square run twice, another one once the other way round inside.
   std::vector<compare_steps::BoundaryPiece> pieces;
   const auto add = [&](const std::vector<Point>& corners, std::size_t label) {
-    for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t i = 0; i < corners.size(); ++i) {
       pieces.push_back({corners[i], corners[(i + 1) % corners.size()], label, EdgeId()});
+    }
   };
   const std::vector<Point> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   add(square, 7);
@@ -195,9 +198,11 @@ TEST_CASE("the areas that valid complexes have in common are those of their arra
     const ExactComplex a = arrange(segments(drawing)), b = arrange(segments(other));
     const compare_steps::Sides sides = compare_steps::make_sides(a, b, 0);
     compare_steps::Both<std::vector<std::size_t>> faces;
-    for (const compare_steps::Side side : compare_steps::kBothSides)
-      for (std::size_t f = 1; f < sides[side].face_count(); ++f)
+    for (const compare_steps::Side side : compare_steps::kBothSides) {
+      for (std::size_t f = 1; f < sides[side].face_count(); ++f) {
         if (round % 2 == 0 || random() % 3 != 0) faces[side].push_back(f);
+      }
+    }
     CAPTURE(drawing, other);
     const auto summed = overlaps(sides, faces, true);
     REQUIRE(summed == overlaps(sides, faces, false));

@@ -25,9 +25,10 @@ std::string list(const char* side, const std::vector<std::size_t>& cells) {
 /// One finding a line: kind, disagreement, cells on both sides.
 std::string findings(const Comparison& result) {
   std::string text;
-  for (const Finding& f : result.findings)
+  for (const Finding& f : result.findings) {
     text += to_text(f.kind) + ' ' + to_text(f.disagreement) + list("exact", f.exact_cells) +
             list("float", f.float_cells) + '\n';
+  }
   return text;
 }
 
@@ -120,8 +121,9 @@ TEST_CASE("a vertex that leads elsewhere has not moved: it is missing, the other
   FloatComplex other = nearest(drawn("0 0 4 0  4 0 4 3"));
   other.vertices[2] = {6, 3};
   other.edge_sources = {};
-  for (const std::size_t source : {0, 7})
+  for (const std::size_t source : {0, 7}) {
     other.edge_sources.push_back(std::vector{SegmentId(source)});
+  }
   CHECK(findings(compare(drawn("0 0 4 0  4 0 4 3"), other, 0.1)) ==
         "vertex missing exact 2\nvertex extra float 2\nedge missing exact 1\nedge extra float 1\n");
 }
@@ -246,12 +248,14 @@ TEST_CASE("what is missing and merged one way round is extra and split the other
     const auto forth = compare(a, nearest(b), 1. / 16).findings;
     const auto back = compare(b, nearest(a), 1. / 16).findings;
     std::vector<std::string> expected, got;
-    for (const Finding& f : forth)
+    for (const Finding& f : forth) {
       expected.push_back(to_text(f.kind) + ' ' + to_text(mirrored(f.disagreement)) +
                          list("exact", f.float_cells) + list("float", f.exact_cells));
-    for (const Finding& f : back)
+    }
+    for (const Finding& f : back) {
       got.push_back(to_text(f.kind) + ' ' + to_text(mirrored(mirrored(f.disagreement))) +
                     list("exact", f.exact_cells) + list("float", f.float_cells));
+    }
     std::sort(expected.begin(), expected.end());
     std::sort(got.begin(), got.end());
     CHECK(!expected.empty());
@@ -317,8 +321,9 @@ TEST_CASE("whatever is done to a float complex, the comparison ends with finding
         break;
       case 2:  // a cycle with a gap
         broken.cycles = Lists<HalfedgeId>();
-        for (std::size_t c = 0; c < plan.cycles.size(); ++c)
+        for (std::size_t c = 0; c < plan.cycles.size(); ++c) {
           broken.cycles.push_back(plan.cycles[c].subspan(plan.cycles[c].size() > 1 ? below(2) : 0));
+        }
         break;
       case 3:  // two faces with each other's outer boundary
         std::swap(broken.face_outer[1 + below(plan.face_count() - 1)],
@@ -326,8 +331,9 @@ TEST_CASE("whatever is done to a float complex, the comparison ends with finding
         break;
       default:  // no hole at all
         broken.face_holes = Lists<CycleId>();
-        for (std::size_t f = 0; f < plan.face_count(); ++f)
+        for (std::size_t f = 0; f < plan.face_count(); ++f) {
           broken.face_holes.push_back(std::vector<CycleId>());
+        }
     }
     broken = canonical(broken);
     INFO("round " << round);
@@ -338,15 +344,16 @@ TEST_CASE("whatever is done to a float complex, the comparison ends with finding
 TEST_CASE("a tolerance that is negative or not finite is bad input") {
   const ExactComplex triangle = drawn(kTriangle);
   for (const double tolerance :
-       {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+       {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     CHECK_THROWS_AS(compare(triangle, nearest(triangle), tolerance), Error);
+  }
 }
 
 TEST_CASE("many points are located as one by one") {
   const ExactComplex plan = drawn(kRoom + rectangle(2, 2, 5, 5) + "3 3 4 4  1/3 0 1/7 9  5 2 9 9");
   std::vector<Point> points;
   std::vector<FaceId> expected;
-  for (int x = -1; x <= 40; ++x)
+  for (int x = -1; x <= 40; ++x) {
     for (int y = -1; y <= 40; ++y) {
       const Point p{Rational(x, 4), Rational(y, 4)};
       const auto is_on_edge = [&](const Edge& e) {
@@ -356,6 +363,7 @@ TEST_CASE("many points are located as one by one") {
       points.push_back(p);
       expected.push_back(locate(plan, p));
     }
+  }
   CHECK(points.size() > 1000);
   CHECK(compare_steps::locate_all(plan, points) == expected);
 }

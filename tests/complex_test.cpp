@@ -52,8 +52,9 @@ TEST_CASE("vertices, edges and faces are in canonical order") {
   const ExactComplex c = arrange(segments("1 1 0 0  1 0 0 1"));
   std::string text;
   for (const Point& p : c.vertices) text += to_text(p) + '\n';
-  for (const Edge& e : c.edges)
+  for (const Edge& e : c.edges) {
     text += std::to_string(e.tail) + '-' + std::to_string(e.head) + '\n';
+  }
   CHECK(text == "0 0\n0 1\n0.5 0.5\n1 0\n1 1\n0-2\n1-2\n2-3\n2-4\n");
 }
 
@@ -102,8 +103,9 @@ TEST_CASE("an interior point is located in its own face") {
   for (std::size_t f = 1; f < c.face_count(); ++f) {
     const Point p = interior_point(c, FaceId(f));
     CHECK(locate(c, p) == FaceId(f));
-    for (const Edge& e : c.edges)
+    for (const Edge& e : c.edges) {
       CHECK_FALSE(on_segment(c.vertices[e.tail], c.vertices[e.head], p));
+    }
   }
   CHECK(locate(c, {Rational(-1), Rational(3)}) == kUnbounded);
   CHECK(locate(c, {Rational(5), Rational(100)}) == kUnbounded);

@@ -27,8 +27,9 @@ std::string list(const Diagnosis& diagnosis) {
     if (defect.squared_size) text += " squared " + exact_text(*defect.squared_size);
     if (defect.area) text += " area " + exact_text(*defect.area);
     if (!defect.squared_size) text += " size " + shortest_text(defect.size);
-    if (defect.proposed_tolerance)
+    if (defect.proposed_tolerance) {
       text += " tolerance " + shortest_text(*defect.proposed_tolerance);
+    }
     text += " of";
     for (const SegmentId s : defect.segments) text += ' ' + std::to_string(s + 1);
     text += '\n';
@@ -119,8 +120,9 @@ TEST_CASE("what a short way along the lines explains is no near-miss") {
   std::string circle;
   for (int i = 0; i < 72; ++i) {
     const double a = i * 5 * 3.14159265358979 / 180, b = (i + 1) % 72 * 5 * 3.14159265358979 / 180;
-    for (const double t : {a, b})
+    for (const double t : {a, b}) {
       circle += shortest_text(std::cos(t)) + ' ' + shortest_text(std::sin(t)) + ' ';
+    }
   }
   CHECK(list(circle, "0.2") == "");
 }
@@ -242,8 +244,9 @@ TEST_CASE("order, direction and repetition of segments change nothing; similarit
   for (int round = 0; round < 40; ++round) {
     SegmentSet set;
     const auto coordinate = [&] { return Rational(static_cast<int>(random() % 40), 4); };
-    for (int i = 0; i < 25; ++i)
+    for (int i = 0; i < 25; ++i) {
       set.add({Point{coordinate(), coordinate()}, Point{coordinate(), coordinate()}}, SourceId());
+    }
     const auto facts = [](const Diagnosis& result, const Rational& scale) {
       std::map<std::string, int> text;
       for (const Defect& d : result.defects) {

@@ -15,8 +15,9 @@ namespace {
 /// A section of blocks; each is "name base-x base-y entities".
 std::string blocks(const std::vector<std::string>& definitions) {
   std::string text = "0 SECTION 2 BLOCKS ";
-  for (const std::string& definition : definitions)
+  for (const std::string& definition : definitions) {
     text += "0 BLOCK 2 " + definition + " 0 ENDBLK ";
+  }
   return text + "0 ENDSEC";
 }
 

@@ -19,8 +19,9 @@ namespace {
 void add_square(SegmentSet& set, int from, int to) {
   const auto source = set.add_source({});
   const Point a{from, from}, b{to, from}, c{to, to}, d{from, to};
-  for (const Segment& s : {Segment{a, b}, Segment{b, c}, Segment{c, d}, Segment{d, a}})
+  for (const Segment& s : {Segment{a, b}, Segment{b, c}, Segment{c, d}, Segment{d, a}}) {
     set.add(s, source);
+  }
 }
 
 /// A square of side 9, and one of side 3 in it.
@@ -36,8 +37,9 @@ std::vector<std::string> findings(files::Result result) {
   const SegmentSet input = nested_squares();
   std::vector<std::string> list;
   for (const Finding& f :
-       check(input, arrange(input), files::answer(std::move(result))).comparison.findings)
+       check(input, arrange(input), files::answer(std::move(result))).comparison.findings) {
     list.push_back(to_text(f.kind) + " " + to_text(f.disagreement));
+  }
   return list;
 }
 using Texts = std::vector<std::string>;

@@ -58,8 +58,9 @@ SegmentSet recorded_input(const std::string& name) {
     for (const auto& recorded_case : cases.GetArray()) {
       if (recorded_case["case"].GetString() != name) continue;
       SegmentSet set;
-      for (const SegmentD& s : recorded_lines(recorded_case["lines"]))
+      for (const SegmentD& s : recorded_lines(recorded_case["lines"])) {
         set.add(s.a, s.b, set.add_source({}));
+      }
       return set;
     }
   }

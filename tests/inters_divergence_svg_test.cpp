@@ -58,7 +58,8 @@ TEST_CASE("S: what svg2lines misreads, the SVG reader reads, maps or names") {
   CHECK(found == of_published);
   const SegmentSet read = evaluate(read_svg(svg, "text"));
   std::string repaired;
-  for (std::size_t i = 0; i < read.segments.size(); ++i)
+  for (std::size_t i = 0; i < read.segments.size(); ++i) {
     repaired += to_text(read.segments[i]) + "; ";
+  }
   CHECK(repaired + "rejected " + std::to_string(read.rejected.size()) == of_repaired);
 }

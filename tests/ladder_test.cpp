@@ -21,9 +21,10 @@ namespace {
 std::string text(const ToleranceLadder& ladder) {
   std::ostringstream text;
   text << ladder.vertices << ' ' << ladder.edges << ' ' << ladder.faces;
-  for (const LadderStep& s : ladder.steps)
+  for (const LadderStep& s : ladder.steps) {
     text << "; " << exact_text(s.squared_radius) << ": " << s.vertices << ' ' << s.edges << ' '
          << s.faces;
+  }
   if (!ladder.is_complete) text << "; ...";
   return text.str();
 }
@@ -41,8 +42,9 @@ class Definition {
     std::set<Rational> radii;
     for (std::size_t v = 0; v < n_; ++v) {
       for (std::size_t w = 0; w < v; ++w) radii.insert(between(v, w));
-      for (const Edge& e : c_.edges)
+      for (const Edge& e : c_.edges) {
         if (passes(e, v)) radii.insert(from(e, v));
+      }
     }
     ToleranceLadder ladder;
     std::tie(ladder.vertices, ladder.edges, ladder.faces) = counts(0);
@@ -80,11 +82,12 @@ class Definition {
       while (!reached.empty()) {
         const std::size_t v = reached.back();
         reached.pop_back();
-        for (std::size_t w = 0; w < n_; ++w)
+        for (std::size_t w = 0; w < n_; ++w) {
           if (cluster[w] == n_ && between(v, w) <= squared_radius) {
             cluster[w] = first;
             reached.push_back(w);
           }
+        }
       }
     }
     return cluster;
@@ -103,8 +106,9 @@ class Definition {
         way.emplace(
             ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / between(e.tail, e.head), v);
       }
-      for (auto stop = way.begin(); std::next(stop) != way.end(); ++stop)
+      for (auto stop = way.begin(); std::next(stop) != way.end(); ++stop) {
         edges.insert({cluster[stop->second], cluster[std::next(stop)->second]});
+      }
     }
     std::erase_if(edges, [](const auto& ends) { return ends.size() == 1; });
     const std::set<std::size_t> vertices(cluster.begin(), cluster.end());
@@ -117,10 +121,13 @@ class Definition {
       while (!reached.empty()) {
         const std::size_t v = reached.back();
         reached.pop_back();
-        for (const auto& ends : edges)
-          if (ends.count(v) != 0)
-            for (const std::size_t w : ends)
+        for (const auto& ends : edges) {
+          if (ends.count(v) != 0) {
+            for (const std::size_t w : ends) {
               if (unseen.erase(w) != 0) reached.push_back(w);
+            }
+          }
+        }
       }
     }
     return {vertices.size(), edges.size(), 1 + components + edges.size() - vertices.size()};
@@ -237,8 +244,9 @@ TEST_CASE("the ladder is its definition, taken literally") {
 TEST_CASE("windows of pairs do not change the ladder") {
   // More pairs than a window holds, and most of them tied.
   std::ostringstream grid;
-  for (int i = 0; i <= 12; ++i)
+  for (int i = 0; i <= 12; ++i) {
     grid << 3 * i << " 0 " << 3 * i << " 24  0 " << 2 * i << " 36 " << 2 * i << "  ";
+  }
   CHECK(ladder_of(grid.str()) == "169 312 145; 4: 13 12 1; 9: 1 0 1");
 }
 

@@ -291,8 +291,9 @@ TEST_CASE("the complex does not depend on order, direction and repetition of the
   std::uniform_real_distribution<double> at(0, 1);
   for (int drawing = 0; drawing < 20; ++drawing) {
     std::vector<std::pair<PointD, PointD>> ends;
-    for (int i = 0; i < 60; ++i)
+    for (int i = 0; i < 60; ++i) {
       ends.push_back({{at(random), at(random)}, {at(random), at(random)}});
+    }
     FloatComplex first = lar::arrange(segment_set(ends)).complex;
     for (std::size_t i = 0; i < 20; ++i) ends.push_back(ends[3 * i]);
     std::shuffle(ends.begin(), ends.end(), random);
@@ -329,8 +330,9 @@ TEST_CASE("random drawings agree with the exact arrangement where nothing is wit
   std::uniform_real_distribution<double> at(0, 1);
   for (int drawing = 0; drawing < 20; ++drawing) {
     std::vector<std::pair<PointD, PointD>> ends;
-    for (int i = 0; i < 50; ++i)
+    for (int i = 0; i < 50; ++i) {
       ends.push_back({{at(random), at(random)}, {at(random), at(random)}});
+    }
     const SegmentSet input = segment_set(ends);
     const FloatComplex rounded = lar::arrange(input, {1e-11}).complex;
     const ExactComplex exact_complex = arrange(input);

@@ -44,8 +44,9 @@ using CellList = std::vector<std::vector<std::uint32_t>>;
 
 CellList list_of(const Cells& cells) {
   CellList list;
-  for (std::size_t c = 0; c < cells.size(); ++c)
+  for (std::size_t c = 0; c < cells.size(); ++c) {
     list.emplace_back(cells[c].begin(), cells[c].end());
+  }
   return list;
 }
 

@@ -56,21 +56,23 @@ TEST_CASE("a plan that is broken in any way is found out, by name and place") {
 
 TEST_CASE("a random result that is broken in any way is found out, by name and place") {
   std::map<std::string, int> count;
-  for (const std::string& family : inputs::families())
+  for (const std::string& family : inputs::families()) {
     for (unsigned seed = 101; seed <= 102; ++seed) {
       const ExactComplex right = arrange(inputs::of_family(family, seed));
       if (right.vertices.size() > kMostVertices) continue;
       break_in_all_ways(family + ' ' + std::to_string(seed), right, seed, count);
     }
+  }
   CHECK(count.size() > 30);
 }
 
 TEST_CASE("an unbroken result raises no finding") {
-  for (const std::string& family : inputs::families())
+  for (const std::string& family : inputs::families()) {
     for (unsigned seed = 201; seed <= 210; ++seed) {
       INFO(family << ' ' << seed);
       CHECK(mutations::false_alarm(arrange(inputs::of_family(family, seed))) == "");
     }
+  }
   for (const char* file : {"dwelling.svg"}) {
     INFO(file);
     CHECK(mutations::false_alarm(

@@ -36,10 +36,11 @@ std::multiset<std::string> texts(const pugi::xml_document& svg) {
 
 std::vector<FindingPlace> square_of_places(std::size_t side, double distance) {
   std::vector<FindingPlace> places;
-  for (std::size_t i = 0; i < side * side; ++i)
+  for (std::size_t i = 0; i < side * side; ++i) {
     places.push_back({{100 + distance * static_cast<double>(i % side),
                        100 + distance * static_cast<double>(i / side)},
                       i + 1});
+  }
   return places;
 }
 

@@ -99,8 +99,9 @@ TEST_CASE("the picture has a panel for each kind, with what was left out") {
   pugi::xml_document svg;
   REQUIRE(svg.load_string(to_svg(example.diagnosis(1), example.input, example.complex).c_str()));
   std::string titles;
-  for (const pugi::xml_node& panel : svg.child("svg").children("g"))
+  for (const pugi::xml_node& panel : svg.child("svg").children("g")) {
     titles += std::string(panel.child("text").text().get()) + "; ";
+  }
   CHECK(titles == "duplicate: 1; undershoot: 1; dangle: 2, of which 1 are marked; ");
   const SegmentSet nothing;
   const ExactComplex empty = arrange(nothing);

@@ -68,8 +68,9 @@ TEST_CASE("the page holds the JSON report's findings and counts, and names its a
   CHECK(page["files"] == report["files"]);
   CHECK(!page.HasMember("segments"));
   std::map<std::string, unsigned> counts;
-  for (const auto& array : page["page"]["arrays"].GetArray())
+  for (const auto& array : page["page"]["arrays"].GetArray()) {
     counts[array["name"].GetString()] = array["count"].GetUint();
+  }
   CHECK(counts.at("authored.x") == 4);
   CHECK(counts.at("authored.tail") == 4);
   CHECK(counts.at("authored.cycles") == 8);
@@ -85,8 +86,9 @@ TEST_CASE("a complex with the incidences of the one as authored is not stored tw
       page_json(to_html(Agreement{segments("0 0 1 0  1 0 0 1  0 1 0 0")}.checked())).c_str());
   const auto& same = page["page"]["same_incidences"];
   CHECK(std::string(same[same.Size() - 1].GetString()) == "float");
-  for (const auto& array : page["page"]["arrays"].GetArray())
+  for (const auto& array : page["page"]["arrays"].GetArray()) {
     CHECK(std::string(array["name"].GetString()) != "float.tail");
+  }
 }
 
 TEST_CASE("names from outside are no markup and no script in the page") {
@@ -94,8 +96,9 @@ TEST_CASE("names from outside are no markup and no script in the page") {
   const std::string evil = "</script><script>alert(1)</script><!--<script>]]>&\"'\xFF";
   example.input.files[0] = evil;
   example.input.sources = {};
-  for (std::uint32_t line = 1; line <= 4; ++line)
+  for (std::uint32_t line = 1; line <= 4; ++line) {
     example.input.sources.push_back({0, line, 1, evil, evil, evil});
+  }
   example.input.rejected = {{{0, 7, 2, evil, evil, evil}, evil, evil}};
   example.input.ledger = {{{0, 7, 2, evil, evil, evil}, evil, evil}};
   Check check = example.checked();
@@ -106,8 +109,9 @@ TEST_CASE("names from outside are no markup and no script in the page") {
   const std::string page = to_html(check), plain = to_html(Example().checked());
   const auto occurrences = [](const std::string& text, const std::string& word) {
     std::size_t count = 0;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
       ++count;
+    }
     return count;
   };
   for (const char* word : {"<script", "</script", "<!--", "alert(1)</"}) {

@@ -46,12 +46,14 @@ TEST_CASE("orientation is decided exactly, also where doubles cannot tell") {
   CHECK(filtered.orientation(0, 1, 2) == 0);
   CHECK(filtered.orientation(0, 1, 3) == 1);
   CHECK(filtered.orientation(0, 1, 4) == -1);
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (std::size_t p = 0; p < points.size(); ++p) {
     for (std::size_t q = 0; q < points.size(); ++q) {
       CHECK(filtered.is_before(p, q) == (points[p] < points[q]));
-      for (std::size_t r = 0; r < points.size(); ++r)
+      for (std::size_t r = 0; r < points.size(); ++r) {
         CHECK(filtered.orientation(p, q, r) == orientation(points[p], points[q], points[r]));
+      }
     }
+  }
 }
 
 TEST_CASE("orientation of points a few roundings off a line is that of exact arithmetic") {
@@ -71,11 +73,12 @@ TEST_CASE("orientation of points a few roundings off a line is that of exact ari
 }
 
 TEST_CASE("the sweep certifies every arrangement") {
-  for (const std::string& family : inputs::families())
+  for (const std::string& family : inputs::families()) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
       INFO(family << ' ' << seed);
       CHECK(is_certified(arrange(inputs::of_family(family, seed))));
     }
+  }
 }
 
 TEST_CASE("the sweep refuses just what breaks an invariant in the plane") {
@@ -104,8 +107,9 @@ TEST_CASE("the sweep refuses just what breaks an invariant in the plane") {
         break;
       }
       case 3:  // all mirrored
-        for (std::size_t i = 0; i < c.vertices.size(); ++i)
+        for (std::size_t i = 0; i < c.vertices.size(); ++i) {
           c.vertices.replace(i, {-c.vertices[i].x, c.vertices[i].y});
+        }
         break;
       case 4: {  // onto an edge
         const Edge e = c.edges[below(c.edge_count())];
@@ -127,14 +131,16 @@ TEST_CASE("the sweep refuses just what breaks an invariant in the plane") {
       default:  // another outer boundary
         if (c.face_count() > 2) {
           std::vector<std::vector<CycleId>> holes;
-          for (std::size_t f = 0; f < c.face_count(); ++f)
+          for (std::size_t f = 0; f < c.face_count(); ++f) {
             holes.emplace_back(c.face_holes[f].begin(), c.face_holes[f].end());
+          }
           const std::size_t f = 1 + below(c.face_count() - 1);
-          for (auto& list : holes)
+          for (auto& list : holes) {
             if (!list.empty()) {
               std::swap(list.front(), c.face_outer[f]);
               break;
             }
+          }
           c.face_holes = Lists<CycleId>();
           for (const auto& list : holes) c.face_holes.push_back(list);
         }

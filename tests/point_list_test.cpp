@@ -14,8 +14,9 @@ namespace {
 Rational number(std::mt19937_64& random) {
   const auto bits = [&](unsigned count) {
     mpz_class value = 0;
-    for (unsigned i = 0; i < count; i += 32)
+    for (unsigned i = 0; i < count; i += 32) {
       value = (value << 32) + static_cast<unsigned long>(random() & 0xffffffffU);
+    }
     return mpz_class(value >> (random() % 32));
   };
   static constexpr unsigned kSizes[] = {32, 32, 64, 96, 128, 160, 2000};
@@ -135,8 +136,9 @@ TEST_CASE(
     }
     ++written;
     REQUIRE(parse_decimal(exact_text(value)) == value);
-    if (abs(value.get_num()) >= mpz_class(1) << 126 || value.get_den() >= mpz_class(1) << 126)
+    if (abs(value.get_num()) >= mpz_class(1) << 126 || value.get_den() >= mpz_class(1) << 126) {
       continue;
+    }
     REQUIRE(wide::nearest_quotient(fraction->n, fraction->d) == nearest_double(value));
   }
   CHECK(written > 1000);

@@ -37,8 +37,9 @@ std::string faces_text(const FloatComplex& c) {
 
 std::vector<Invariant> broken(const FloatComplex& complex) {
   std::vector<Invariant> result;
-  for (const Violation& v : validate(exact(complex)))
+  for (const Violation& v : validate(exact(complex))) {
     if (result.empty() || result.back() != v.invariant) result.push_back(v.invariant);
+  }
   return result;
 }
 bool is_broken(const FloatComplex& complex, Invariant invariant) {
@@ -66,8 +67,9 @@ SegmentSet random_grid_drawing(std::mt19937& random, int size) {
 FloatComplex without_sources(const ExactComplex& complex) {
   FloatComplex result = nearest(complex);
   result.edge_sources = {};
-  for (std::size_t e = 0; e < result.edge_count(); ++e)
+  for (std::size_t e = 0; e < result.edge_count(); ++e) {
     result.edge_sources.push_back(std::vector<SegmentId>());
+  }
   return canonical(result);
 }
 
@@ -92,8 +94,9 @@ CellLists lists_of(const FloatComplex& c, std::mt19937& random) {
   };
   for (std::size_t f = 1; f < c.face_count(); ++f) {
     Polygon face{ring_of(c.face_outer[f])};
-    for (const CycleId hole : c.face_holes[f])
+    for (const CycleId hole : c.face_holes[f]) {
       if (!is_tree(hole)) face.holes.push_back(ring_of(hole));
+    }
     cells.faces.push_back(std::move(face));
   }
   std::shuffle(cells.faces.begin(), cells.faces.end(), random);
@@ -209,8 +212,9 @@ TEST_CASE("polygons: lists of anything at all can be validated and comparisoned"
   for (int i = 0; i < 2000; ++i) {
     CellLists cells;
     const std::size_t vertices = 1 + below(12), side = 1 + below(5);
-    for (std::size_t v = 0; v < vertices; ++v)
+    for (std::size_t v = 0; v < vertices; ++v) {
       cells.vertices.push_back({double(below(side)), double(below(side))});
+    }
     const auto vertex = [&] { return VertexId(below(vertices)); };
     for (std::size_t e = below(20); e > 0; --e) cells.edges.push_back({vertex(), vertex()});
     const auto random_ring = [&] {

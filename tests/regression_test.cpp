@@ -22,8 +22,9 @@ const std::filesystem::path kFolder = PLUMBLINE_REGRESSIONS;
 std::map<std::string, SegmentSet> regressions() {
   std::map<std::string, SegmentSet> result;
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
-    if (entry.path().extension() == ".lines")
+    if (entry.path().extension() == ".lines") {
       result[entry.path().filename().string()] = campaign::from_rows(content(entry.path()));
+    }
   }
   return result;
 }
@@ -33,9 +34,11 @@ std::map<std::string, SegmentSet> regressions() {
 TEST_CASE("nothing is wrong any more with the inputs of the regression corpus") {
   for (const auto& [name, input] : regressions()) {
     CAPTURE(name);
-    for (const campaign::Relation relation : campaign::kRelations)
-      for (std::uint64_t seed = 0; seed < 5; ++seed)
+    for (const campaign::Relation relation : campaign::kRelations) {
+      for (std::uint64_t seed = 0; seed < 5; ++seed) {
         CHECK(campaign::what_is_wrong(input, relation, seed) == "");
+      }
+    }
   }
 }
 

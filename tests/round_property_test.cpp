@@ -45,8 +45,9 @@ bool meets_box(const Point& a, const Point& b, const Point& low, const Point& hi
   if (std::max(a.x, b.x) < low.x || high.x < std::min(a.x, b.x)) return false;
   if (std::max(a.y, b.y) < low.y || high.y < std::min(a.y, b.y)) return false;
   std::set<int> sides;
-  for (const Rational& x : {low.x, high.x})
+  for (const Rational& x : {low.x, high.x}) {
     for (const Rational& y : {low.y, high.y}) sides.insert(orientation(a, b, {x, y}));
+  }
   return sides != std::set{1} && sides != std::set{-1};
 }
 
@@ -71,8 +72,9 @@ std::set<std::pair<Point, Point>> snapped_edges(const ExactComplex& c, const Rat
   for (const auto& [tail, head] : c.edges) {
     const Point &a = c.vertices[tail], &b = c.vertices[head];
     std::vector<Point> met;
-    for (const Point& centre : centres)
+    for (const Point& centre : centres) {
       if (meets_pixel(a, b, centre, spacing)) met.push_back(centre);
+    }
     const auto along = [&](const Point& p) {
       return Rational((b.x - a.x) * p.x + (b.y - a.y) * p.y);
     };
@@ -99,8 +101,9 @@ Rational sup_distance(const Point& p, const Point& q) {
 
 void check_movement(const ExactComplex& c, const Rounding& r) {
   const Rational half = r.spacing / 2;
-  for (std::size_t v = 0; v < c.vertices.size(); ++v)
+  for (std::size_t v = 0; v < c.vertices.size(); ++v) {
     REQUIRE(sup_distance(c.vertices[v], r.complex.vertices[r.vertex_image[v]]) <= half);
+  }
   for (std::size_t e = 0; e < c.edge_count(); ++e) {
     const auto [tail, head] = c.edges[e];
     VertexId at = r.vertex_image[tail];
@@ -122,9 +125,10 @@ std::size_t check_faces(const ExactComplex& c, const Rounding& r) {
   for (std::size_t f = 1; f < r.complex.face_count(); ++f) {
     const Point p = interior_point(r.complex, FaceId(f));
     bool is_clear = true;
-    for (const auto& [tail, head] : c.edges)
+    for (const auto& [tail, head] : c.edges) {
       is_clear =
           is_clear && squared_distance(p, c.vertices[tail], c.vertices[head]) > squared_reach;
+    }
     if (!is_clear) continue;
     ++checked;
     REQUIRE(locate(c, p) == r.face_origin[f]);

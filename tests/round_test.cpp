@@ -19,8 +19,9 @@ namespace {
 /// The edges of a complex, one after the other: "0 0, 1 1; ...".
 std::string edges(const ExactComplex& c) {
   std::string text;
-  for (const auto& [tail, head] : c.edges)
+  for (const auto& [tail, head] : c.edges) {
     text += (text.empty() ? "" : "; ") + to_text(Segment{c.vertices[tail], c.vertices[head]});
+  }
   return text;
 }
 
@@ -250,8 +251,9 @@ TEST_CASE("a verification refuses a rounding that breaks a guarantee") {
   refused(
       [](Rounding& r) {
         Lists<HalfedgeId> images;
-        for (std::size_t e = 0; e < r.edge_image.size(); ++e)
+        for (std::size_t e = 0; e < r.edge_image.size(); ++e) {
           images.push_back(r.edge_image[e == 0 ? 1 : e]);
+        }
         r.edge_image = images;
       },
       "gap");
@@ -287,10 +289,12 @@ TEST_CASE("the numbers of the JSON file are those of the rounded complex") {
         return PointD{p[0].GetDouble(), p[1].GetDouble()};
       };
       std::set<std::pair<PointD, PointD>> written, expected;
-      for (const auto& e : json["edges"].GetArray())
+      for (const auto& e : json["edges"].GetArray()) {
         written.insert(std::minmax(nearest_of(e["tail"]), nearest_of(e["head"])));
-      for (const auto& [tail, head] : r.complex.edges)
+      }
+      for (const auto& [tail, head] : r.complex.edges) {
         expected.insert({nearest(r.complex.vertices[tail]), nearest(r.complex.vertices[head])});
+      }
       CHECK(written == expected);
       CHECK(json["faces"].Size() == r.complex.face_count());
       if (r.has_same_incidences()) continue;

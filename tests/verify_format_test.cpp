@@ -134,8 +134,9 @@ TEST_CASE("a wrong signature is refused") {
   const std::string line = cases().at(kCrossing).certificate.substr(24, 10 + 32);
   REQUIRE(line.substr(0, 10) == "signature ");
   std::string capitals = line;
-  for (char& c : capitals)
+  for (char& c : capitals) {
     c = c >= 'a' && c <= 'f' && &c > &capitals[9] ? static_cast<char>(c - 'a' + 'A') : c;
+  }
   REQUIRE(capitals != line);
   check(
       {

@@ -63,8 +63,9 @@ std::string hex(const std::string& bytes) {
   std::string text;
   for (const char c : bytes) {
     for (const unsigned digit :
-         {static_cast<unsigned char>(c) / 16U, static_cast<unsigned char>(c) % 16U})
+         {static_cast<unsigned char>(c) / 16U, static_cast<unsigned char>(c) % 16U}) {
       text += "0123456789ABCDEF"[digit];
+    }
   }
   return text;
 }

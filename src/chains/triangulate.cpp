@@ -34,9 +34,11 @@ std::vector<EdgeId> boundary_of(const ExactComplex& complex, FaceId face) {
   std::vector<CycleId> cycles{complex.face_outer[face]};
   for (const CycleId hole : complex.face_holes[face]) cycles.push_back(hole);
   std::vector<EdgeId> edges;
-  for (const CycleId c : cycles)
-    for (const HalfedgeId h : complex.cycles[c])
+  for (const CycleId c : cycles) {
+    for (const HalfedgeId h : complex.cycles[c]) {
       if (!complex.is_antenna(edge_of(h))) edges.push_back(edge_of(h));
+    }
+  }
   return edges;
 }
 
@@ -96,8 +98,9 @@ std::vector<Triangle> triangulate(const ExactComplex& complex, FaceId face) {
     Triangulation triangulation = triangulated(complex, boundary_of(complex, face));
     fill(triangulation);
     std::vector<Triangle> triangles;
-    for (const auto f : triangulation.finite_face_handles())
+    for (const auto f : triangulation.finite_face_handles()) {
       if (f->info() == Side::Inside) triangles.push_back(triangle(f));
+    }
     std::sort(triangles.begin(), triangles.end());
     return triangles;
   } catch (const Triangulation::Intersection_of_constraints_exception&) {

@@ -206,8 +206,9 @@ std::size_t Attribution::owner_of_invalid(const Finding& finding) const {
 
 void Attribution::blame_invalid() {
   for (std::size_t i = 0; i < findings_.size(); ++i) {
-    if (is_about_line_work(findings_[i]))
+    if (is_about_line_work(findings_[i])) {
       causes_[i] = owned_by(findings_[i], owner_of_invalid(findings_[i]));
+    }
   }
   blame_invalid_cells();
 }
@@ -253,8 +254,9 @@ void Attribution::run_without_owners() {
   if (exact_.edge_count() > kMostEdgesRunAgain && comparison_.float_valid) return;
   std::map<std::pair<std::string, std::size_t>, std::vector<std::size_t>> by_stage;
   for (std::size_t i = 0; i < findings_.size(); ++i) {
-    if (!is_of_conversion(*causes_[i]))
+    if (!is_of_conversion(*causes_[i])) {
       by_stage[{causes_[i]->stage, causes_[i]->round}].push_back(i);
+    }
   }
   for (const auto& [place, findings] : by_stage) run_without(place.first, place.second, findings);
 }
@@ -345,8 +347,9 @@ std::vector<Cause> attribute_to_engine(const Comparison& comparison, const std::
     cause.stage = engine;
     cause.rule = rule_of(finding);
     cause.explanation = "rounding the drawing to doubles does not make it: its maker did";
-    if (finding.distance && *finding.distance > 0 && !is_invalid)
+    if (finding.distance && *finding.distance > 0 && !is_invalid) {
       cause.advice = fmt::format("a tolerance or grid below {:.3g} there", *finding.distance);
+    }
     causes.push_back(std::move(cause));
   }
   return causes;

@@ -27,8 +27,9 @@ double tolerance_of_drawing(const ExactComplex& complex) {
 
 Comparison compare_answer(const ExactComplex& exact_complex, const Answer& answer,
                           double tolerance) {
-  if (answer.exact_complex)
+  if (answer.exact_complex) {
     return compare(exact_complex, *answer.exact_complex, tolerance, answer.compared);
+  }
   if (answer.compared == Compared::All) return compare(exact_complex, answer.complex, tolerance);
   return compare(exact_complex, exact(answer.complex), tolerance, answer.compared);
 }
@@ -44,9 +45,10 @@ void compare_conversion(Check& result, const CheckOptions& options) {
   result.doubles_complex = arrange(rounded(result.input), options.threads);
   result.conversion = compare(result.exact_complex, result.doubles_complex, tolerance);
   std::optional<Comparison> parsed;
-  if (options.parsed && !result.conversion.agree())
+  if (options.parsed && !result.conversion.agree()) {
     parsed = compare_steps::compare_cells(result.exact_complex, arrange(options.parsed()),
                                           tolerance, true);
+  }
   result.conversion_causes = check_steps::attribute_conversion(
       result.conversion, parsed ? &*parsed : nullptr, result.exact_complex);
 }

@@ -33,8 +33,9 @@ class Trials {
   /// Whether the answer is right; the radius is recorded as the engine raises it.
   bool is_right(double radius) {
     const double done = static_cast<double>(tried_.size()) / static_cast<double>(options_.max_runs);
-    if (options_.progress && !options_.progress(done))
+    if (options_.progress && !options_.progress(done)) {
       throw Error(ErrorCode::Cancelled, "the search for right radii was cancelled");
+    }
     const TriedRadius trial = run(radius);
     const auto place = std::find_if(tried_.begin(), tried_.end(), [&](const TriedRadius& other) {
       return other.radius >= trial.radius;
@@ -75,8 +76,9 @@ class Trials {
   TriedRadius run(double radius) const {
     try {
       const auto [complex, used] = engine_(input_, radius, options_.threads);
-      if (counts(complex, complex.vertices.size()) != counts(exact_, exact_.vertices.size()))
+      if (counts(complex, complex.vertices.size()) != counts(exact_, exact_.vertices.size())) {
         return {used, false};
+      }
       return {used, compare(exact_, complex, used).agree()};
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Limit) return {radius, false};

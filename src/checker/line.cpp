@@ -63,8 +63,10 @@ int side(const Line& line, const Point& point) {
 int turn(const Line& a, const Line& b) {
   const double first = a.near_a * b.near_b;
   const double second = a.near_b * b.near_a;
-  if (const int sign = certain_sign(first - second, std::abs(first) + std::abs(second)); sign != 0)
+  if (const int sign = certain_sign(first - second, std::abs(first) + std::abs(second));
+      sign != 0) {
     return sign;
+  }
   return sgn(mpz_class(a.a * b.b - a.b * b.a));
 }
 

@@ -86,8 +86,9 @@ void check_signature(const Certificate& certificate, const Lists& cycles,
   hash << "plumbline complex 1\n";
   for (const Point& p : certificate.vertices) hash << "v " << p.x << " " << p.y << "\n";
   for (const Edge& e : certificate.edges) hash << "e " << e.tail << " " << e.head << "\n";
-  for (std::size_t c = 0; c < cycles.size(); ++c)
+  for (std::size_t c = 0; c < cycles.size(); ++c) {
     add_list(hash, "c", cycles.begin(c), cycles.end(c));
+  }
   for (const Face& face : faces) {
     if (face.outer != kNone) hash << "o " << face.outer << "\n";
     add_list(hash, "h", face.holes);

@@ -27,8 +27,9 @@ constexpr const char* kExitCodes =
 void refuse_unknown_command(const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments[0].starts_with('-')) return;
   const std::string& command = arguments[0];
-  for (const char* known : {"arrange", "check", "eval", "info", "lar", "random"})
+  for (const char* known : {"arrange", "check", "eval", "info", "lar", "random"}) {
     if (command == known) return;
+  }
   throw Error(ErrorCode::BadInput,
               "unknown command (the commands are arrange, check, eval, info, lar, random)", {},
               command);

@@ -14,10 +14,12 @@ namespace {
 /// The options with which a drawing becomes the same segments again.
 std::string reading_options(const ReadOptions& reading) {
   std::string options;
-  if (sgn(reading.chord_tolerance) > 0)
+  if (sgn(reading.chord_tolerance) > 0) {
     options += " --flatten " + exact_text(reading.chord_tolerance);
-  if (reading.angle_bound != ReadOptions().angle_bound)
+  }
+  if (reading.angle_bound != ReadOptions().angle_bound) {
     options += " --angle " + shortest_text(reading.angle_bound);
+  }
   if (reading.visible_only) options += " --visible";
   return options;
 }

@@ -21,8 +21,9 @@ Parameters parameters_of(const CheckArguments& arguments, const Engine& engine) 
   };
   for (const std::string& setting : arguments.settings) {
     const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos)
+    if (equals == std::string::npos) {
       throw Error(ErrorCode::BadInput, "--set needs NAME=VALUE", {}, setting);
+    }
     set(setting.substr(0, equals), setting.substr(equals + 1));
   }
   if (arguments.radius) set("radius", *arguments.radius);

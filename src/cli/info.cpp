@@ -62,8 +62,9 @@ void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments) {
     return diagnose(drawing.input, drawing.complex, {arguments.within});
   }();
   if (arguments.output) write_file(*arguments.output, to_json(diagnosis, drawing.input));
-  if (arguments.picture)
+  if (arguments.picture) {
     write_file(*arguments.picture, to_svg(diagnosis, drawing.input, drawing.complex));
+  }
   fmt::print("\n{}", to_text(diagnosis, drawing.input));
 }
 

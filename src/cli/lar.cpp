@@ -83,8 +83,9 @@ void write_outputs(const LarArguments& arguments, const SegmentSet& input, const
   picture.y_up = arguments.unit_square != input.y_up;  // the map to the unit square turns y
   if (arguments.output) write_file(*arguments.output, to_svg(result, picture));
   print(result);
-  for (const auto& file : {arguments.trace, arguments.output})
+  for (const auto& file : {arguments.trace, arguments.output}) {
     if (file) print_written(*file);
+  }
 }
 
 ExitCode run_published(const LarArguments& arguments, const SegmentSet& input) {

@@ -42,12 +42,14 @@ std::string line(const Drawing& drawing, const Grid& grid, const Rounding& round
   const std::string movement =
       fmt::format("largest movement {:.3g}", nearest_sqrt(c.largest_squared_movement()));
   if (rounding.method == RoundingMethod::NearestDoubles ||
-      (grid.decimals && rounding.has_same_incidences()))
+      (grid.decimals && rounding.has_same_incidences())) {
     return fmt::format("rounded to {}: same incidences, proven; {}", to_text(grid), movement);
+  }
   const double spacing = nearest_double(rounding.spacing);
-  if (rounding.has_same_incidences())
+  if (rounding.has_same_incidences()) {
     return fmt::format("rounded to multiples of {:.3g}: same incidences, proven; {}", spacing,
                        movement);
+  }
   return fmt::format("snap rounded to multiples of {:.3g}: {}; {}; verified", spacing,
                      changes_text(c), movement);
 }

@@ -18,8 +18,9 @@ namespace {
 
 /// What was printed is written, or that fails.
 void flush_output() {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     throw Error(ErrorCode::BadFile, "cannot write to standard output");
+  }
 }
 
 template <class Arguments>

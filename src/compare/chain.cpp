@@ -53,8 +53,9 @@ class ChainSearch {
       if (!is_usable_[edge_of(h)]) continue;
       const VertexId w = sides_[side_].target(h);
       if (w == goal_ ||
-          (!visited_.contains(w) && !is_surely_far(w) && is_further(w, v) && is_near(w)))
+          (!visited_.contains(w) && !is_surely_far(w) && is_further(w, v) && is_near(w))) {
         stack_.push_back({h, depth_});
+      }
     }
   }
 

@@ -14,8 +14,9 @@ std::vector<Point> joined_points(const Sides& sides, std::vector<std::size_t>& n
   for (std::size_t v = 0, w = 0; w < floats.size(); ++w) {
     const PointD& q = floats.rough(w);
     while (v < exacts.size() &&
-           (exacts.rough(v).x < q.x || (exacts.rough(v).x == q.x && exacts[v] < floats[w])))
+           (exacts.rough(v).x < q.x || (exacts.rough(v).x == q.x && exacts[v] < floats[w]))) {
       ++v;
+    }
     const bool is_common = v < exacts.size() && exacts.rough(v).x == q.x && exacts[v] == floats[w];
     number_of_float.push_back(is_common ? v : result.size());
     if (!is_common) result.push_back(floats[w]);

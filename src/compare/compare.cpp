@@ -43,8 +43,9 @@ Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
 
   append(compare_steps::invalidities(sides, compared));
   result.float_valid = result.findings.empty();
-  if (compared == Compared::All && detail == Detail::Full)
+  if (compared == Compared::All && detail == Detail::Full) {
     append(compare_steps::miscoverings(sides, result.findings));
+  }
   const compare_steps::VertexMatch vertices =
       compare_steps::match_vertices(sides, next_number(), detail);
   append(vertices.findings);
@@ -60,8 +61,9 @@ Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
   const compare_steps::FaceMatch faces =
       compare_steps::match_faces(sides, vertices, edges, cycles, result.float_valid, detail);
   append(faces.findings);
-  if (detail != Detail::ExactCellsOnly)
+  if (detail != Detail::ExactCellsOnly) {
     append(compare_steps::nesting(sides, vertices, edges, cycles, faces));
+  }
   result.matched_faces = faces.same;
   return result;
 }

@@ -30,21 +30,25 @@ class ContactSearch {
   Contacts run(const Both<std::vector<EdgeId>>& edges) {
     std::vector<TreeValue> values;
     const double unit = unit_of(Float, edges[Float]);
-    for (const EdgeId f : edges[Float])
+    for (const EdgeId f : edges[Float]) {
       for (const TreeBox& box : boxes(Float, f, unit)) values.emplace_back(box, f);
+    }
     const bgi::rtree<TreeValue, bgi::rstar<kNodeSize>> tree(values);
     std::vector<EdgeId> near;
     for (const EdgeId e : edges[Exact]) {
       near.clear();
-      for (const TreeBox& box : boxes(Exact, e, unit))
-        for (auto it = tree.qbegin(bgi::intersects(box)); it != tree.qend(); ++it)
+      for (const TreeBox& box : boxes(Exact, e, unit)) {
+        for (auto it = tree.qbegin(bgi::intersects(box)); it != tree.qend(); ++it) {
           near.push_back(it->second);
+        }
+      }
       std::sort(near.begin(), near.end());
       near.erase(std::unique(near.begin(), near.end()), near.end());
       for (const EdgeId f : near) meet(e, f);
     }
-    for (const Side side : kBothSides)
+    for (const Side side : kBothSides) {
       for (const EdgeId e : edges[side]) bring_into_order(result_.of_edge[side][e]);
+    }
     return std::move(result_);
   }
 

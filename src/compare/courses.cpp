@@ -10,13 +10,15 @@ namespace plumbline::compare_steps {
 Courses::Courses(const Sides& sides, const CommonPoints& points, const Contacts& contacts)
     : sides_(sides), points_(points), contacts_(contacts) {
   for (const Side side : kBothSides) around_[side].resize(sides[side].vertices.size());
-  for (const Side side : kBothSides)
-    for (const std::vector<Contact>& list : contacts.of_edge[side])
+  for (const Side side : kBothSides) {
+    for (const std::vector<Contact>& list : contacts.of_edge[side]) {
       for (const Contact& contact : list) {
         if (!contact.vertex.valid()) continue;
         std::vector<HalfedgeId>& leaving = around_[other(side)][contact.vertex];
         if (leaving.empty()) leaving = around(other(side), contact.vertex);
       }
+    }
+  }
 }
 
 /// The halfedges that leave a vertex, counter-clockwise: first those that run forward, from right
@@ -72,8 +74,9 @@ std::vector<Piece> Courses::pieces(Side side, EdgeId e) const {
   std::vector<Piece> result;
   if (list.front().point != tail) {
     Course course = from(other(side), list.front(), tail, Way::Backward);
-    if (course.along.valid())
+    if (course.along.valid()) {
       course = {sides_[other(side)].halfedge_face[twin(course.along)], twin(course.along)};
+    }
     result.push_back({&points_.point(tail), &contacts_.place(points_, list.front()), course});
   }
   for (std::size_t i = 0; i < list.size(); ++i) {

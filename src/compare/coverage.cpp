@@ -44,10 +44,12 @@ std::vector<OverlayPlace> places(const Overlaid& overlaid) {
 /// Whether the place is no wider than the tolerance.
 bool is_sliver(const Overlaid& overlaid, const OverlayPlace& place, double tolerance) {
   double perimeter = 0;
-  for (const FaceId part : place.parts)
-    for (const HalfedgeId h : overlaid.complex.cycles[overlaid.complex.face_outer[part]])
+  for (const FaceId part : place.parts) {
+    for (const HalfedgeId h : overlaid.complex.cycles[overlaid.complex.face_outer[part]]) {
       perimeter += length(squared_distance(overlaid.complex.vertices[overlaid.complex.origin(h)],
                                            overlaid.complex.vertices[overlaid.complex.target(h)]));
+    }
+  }
   return nearest_double(place.area) <= tolerance * perimeter / 2;
 }
 
@@ -70,12 +72,13 @@ std::string fault(const Windings& windings, const std::string& area) {
     return fmt::format("float face {} covers an area of {} {} times", label, area, std::abs(times));
   }
   std::string names;
-  for (std::size_t i = 0; i < windings.size(); ++i)
+  for (std::size_t i = 0; i < windings.size(); ++i) {
     names += fmt::format("{}float face {}",
                          i == 0                     ? ""
                          : i + 1 == windings.size() ? " and "
                                                     : ", ",
                          windings[i].first);
+  }
   return fmt::format("{} overlap in an area of {}", names, area);
 }
 
@@ -91,16 +94,20 @@ std::vector<Finding> miscoverings(const Sides& sides, const std::vector<Finding>
   };
   if (std::none_of(invalidities.begin(), invalidities.end(), moves_faces)) return {};
   std::vector<BoundaryPiece> pieces;
-  for (std::size_t f = 0; f < sides[Float].face_count(); ++f)
+  for (std::size_t f = 0; f < sides[Float].face_count(); ++f) {
     add_boundary(pieces, sides[Float], FaceId(f), f);
+  }
   std::optional<Overlaid> overlaid = compare_steps::overlaid(pieces, {{kUnbounded, 1}});
   if (!overlaid) return {};
   for (Windings& windings : overlaid->windings) let_bounded_prevail(windings);
   Numbers number(sides[Float].edge_count());
-  for (std::size_t i = 0; i < invalidities.size(); ++i)
-    if (invalidities[i].kind == CellKind::Edge && moves_faces(invalidities[i]))
-      for (const std::size_t e : invalidities[i].float_cells)
+  for (std::size_t i = 0; i < invalidities.size(); ++i) {
+    if (invalidities[i].kind == CellKind::Edge && moves_faces(invalidities[i])) {
+      for (const std::size_t e : invalidities[i].float_cells) {
         if (number[e] == 0) number[e] = i + 1;
+      }
+    }
+  }
 
   std::vector<Finding> findings;
   for (const OverlayPlace& place : places(*overlaid)) {
@@ -116,12 +123,14 @@ std::vector<Finding> miscoverings(const Sides& sides, const std::vector<Finding>
     for (const auto& entry : windings) finding.float_cells.push_back(entry.first);
     Numbers causes;
     std::vector<EdgeId> edges;
-    for (const FaceId part : place.parts)
-      for (const HalfedgeId h : overlaid->complex.cycles[overlaid->complex.face_outer[part]])
+    for (const FaceId part : place.parts) {
+      for (const HalfedgeId h : overlaid->complex.cycles[overlaid->complex.face_outer[part]]) {
         for (const SegmentId s : overlaid->complex.edge_sources[edge_of(h)]) {
           edges.push_back(pieces[s].edge);
           causes.push_back(number[pieces[s].edge]);
         }
+      }
+    }
     finding.segments = segments_of(sides[Float], edges);
     finding.message = fmt::format("the float result is not a valid complex: {} ({})", message,
                                   to_text(Invariant::Area));

@@ -34,11 +34,12 @@ class OverlapSums {
   std::vector<Region> regions(const Faces& faces) && {
     for (const Side side : kBothSides) {
       const std::vector<FaceId> around_free = faces_around_free_edges(side);
-      for (std::size_t i = 0; i < edges_[side].size(); ++i)
+      for (std::size_t i = 0; i < edges_[side].size(); ++i) {
         for (Piece& piece : courses_.pieces(side, edges_[side][i])) {
           if (courses_.is_free(side, edges_[side][i])) piece.course.face = around_free[i];
           add_piece(side, edges_[side][i], piece);
         }
+      }
     }
     std::vector<Region> result;
     for (const auto& [pair, twice] : twice_) {
@@ -74,8 +75,9 @@ std::vector<EdgeId> OverlapSums::edges_around(Side side, const Faces& faces) con
   const ExactComplex& complex = sides_[side];
   std::vector<EdgeId> result;
   const auto add = [&](CycleId cycle) {
-    for (const HalfedgeId h : complex.cycles[cycle])
+    for (const HalfedgeId h : complex.cycles[cycle]) {
       if (!complex.is_antenna(edge_of(h))) result.push_back(edge_of(h));
+    }
   };
   for (const std::size_t f : faces[side]) {
     add(complex.face_outer[f]);
@@ -92,8 +94,9 @@ std::vector<FaceId> OverlapSums::faces_around_free_edges(Side side) const {
   const std::vector<EdgeId>& edges = edges_[side];
   const ExactComplex& complex = sides_[side];
   UnionFind sets(complex.vertices.size());
-  for (const EdgeId e : edges)
+  for (const EdgeId e : edges) {
     if (courses_.is_free(side, e)) sets.unite(complex.edges[e].tail, complex.edges[e].head);
+  }
   std::vector<FaceId> face_of(complex.vertices.size());  // per set
   for (const EdgeId e : edges) {
     if (courses_.is_free(side, e)) continue;
@@ -138,10 +141,11 @@ void OverlapSums::add_piece(Side side, EdgeId e, const Piece& piece) {
     if (!gain) gain = cross(*piece.from, *piece.to);
     std::pair pair(asked(side, here), asked(other(side), there));
     if (side == Float) std::swap(pair.first, pair.second);
-    if (is_right)
+    if (is_right) {
       twice_[pair] -= *gain;
-    else
+    } else {
       twice_[pair] += *gain;
+    }
   }
 }
 

@@ -27,11 +27,12 @@ std::vector<Group> connected_groups(
                exact_count + position(cells[Float], float_cell));
   }
   std::map<std::size_t, Group> by_least;
-  for (const Side side : kBothSides)
+  for (const Side side : kBothSides) {
     for (std::size_t i = 0; i < cells[side].size(); ++i) {
       const std::size_t node = side == Exact ? i : exact_count + i;
       by_least[sets.find(node)][side].push_back(cells[side][i]);
     }
+  }
   std::vector<Group> groups;
   for (auto& entry : by_least) groups.push_back(std::move(entry.second));
   return groups;

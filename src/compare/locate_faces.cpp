@@ -30,8 +30,9 @@ bool is_lower(const Point& p, double p_y, const Point& q, double q_y) {
 
 std::vector<Rising> rising_edges(const ExactComplex& complex) {
   std::vector<PointD> rounded;
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     rounded.push_back(complex.vertices.nearest(v));
+  }
   std::vector<Rising> result;
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     auto [low, high] = complex.edges[e];
@@ -60,8 +61,9 @@ struct Interval {
 Interval approximate_crossing(const Rising& e, double y, double magnitude) {
   const double slack = kCrossingSlack * magnitude;
   const double dx = e.high_d.x - e.low_d.x, dy = e.high_d.y - e.low_d.y;
-  if (dy <= slack)
+  if (dy <= slack) {
     return {std::min(e.low_d.x, e.high_d.x) - slack, std::max(e.low_d.x, e.high_d.x) + slack};
+  }
   const double x = e.low_d.x + (y - e.low_d.y) / dy * dx;
   const double error = std::abs(dx) * slack / dy + slack;
   return {x - error, x + error};
@@ -94,8 +96,9 @@ class Sweep {
  private:
   /// Keeps the edges that reach above the height of p but do not begin above it.
   void advance(const Point& p, double p_y) {
-    while (next_ < edges_.size() && !is_lower(p, p_y, edges_[next_].low, edges_[next_].low_d.y))
+    while (next_ < edges_.size() && !is_lower(p, p_y, edges_[next_].low, edges_[next_].low_d.y)) {
       active_.push_back(next_++);
+    }
     std::erase_if(active_, [&](std::size_t i) {
       return !is_lower(p, p_y, edges_[i].high, edges_[i].high_d.y);
     });

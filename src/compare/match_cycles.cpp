@@ -15,10 +15,11 @@ Walk translated(const Sides& sides, Side side, const EdgeMatch& edges, CycleId c
   for (const HalfedgeId h : sides[side].cycles[cycle]) {
     const auto image = edges.image(side, edge_of(h));
     if (!image) return {};
-    if (!is_reversed(h))
+    if (!is_reversed(h)) {
       result.insert(result.end(), image->begin(), image->end());
-    else
+    } else {
       std::transform(image->rbegin(), image->rend(), std::back_inserter(result), twin);
+    }
   }
   return result;
 }
@@ -33,8 +34,9 @@ bool equal_up_to_start(std::span<const HalfedgeId> cycle, const Walk& walk) {
 
 std::vector<CycleId> cycles_of_halfedges(const ExactComplex& complex) {
   std::vector<CycleId> result(2 * complex.edge_count());
-  for (std::size_t c = 0; c < complex.cycles.size(); ++c)
+  for (std::size_t c = 0; c < complex.cycles.size(); ++c) {
     for (const HalfedgeId h : complex.cycles[c]) result[h] = CycleId(c);
+  }
   return result;
 }
 
@@ -49,8 +51,9 @@ CycleMatch match_cycles(const Sides& sides, const EdgeMatch& edges) {
       const Walk walk = translated(sides, side, edges, CycleId(c));
       if (walk.empty()) continue;
       const CycleId candidate = result.cycle_of[other(side)][walk.front()];
-      if (candidate.valid() && equal_up_to_start(sides[other(side)].cycles[candidate], walk))
+      if (candidate.valid() && equal_up_to_start(sides[other(side)].cycles[candidate], walk)) {
         result.same[side][c] = candidate;
+      }
     }
   }
   for (std::size_t c = 0; c < sides[Exact].cycles.size(); ++c) {

@@ -41,8 +41,9 @@ class EdgeMatcher {
       report_parallel(side);
     }
     for (const Side side : kBothSides) report_chains(side, unaccounted(other(side)), false);
-    for (const Side side : kBothSides)
+    for (const Side side : kBothSides) {
       report_chains(side, std::vector<bool>(sides_[other(side)].edge_count(), true), true);
+    }
     for (const Side side : kBothSides) report_lacking(side);
     return std::move(result_);
   }
@@ -110,10 +111,13 @@ std::vector<OpenEdge> EdgeMatcher::open_edges(Side side) const {
 }
 
 void EdgeMatcher::add(Finding finding) {
-  for (const Side side : kBothSides)
-    for (const std::size_t e : cells(finding, side))
-      if (result_.number[side][e] == 0)
+  for (const Side side : kBothSides) {
+    for (const std::size_t e : cells(finding, side)) {
+      if (result_.number[side][e] == 0) {
         result_.number[side][e] = first_number_ + result_.findings.size();
+      }
+    }
+  }
   result_.findings.push_back(std::move(finding));
 }
 
@@ -135,8 +139,9 @@ Finding EdgeMatcher::finding(Side side, Disagreement disagreement, const std::ve
 /// Edges whose two ends are one vertex of the other side: one finding for each such vertex.
 void EdgeMatcher::report_collapsed(Side side) {
   std::map<VertexId, std::vector<EdgeId>> by_vertex;
-  for (const OpenEdge& open : open_edges(side))
+  for (const OpenEdge& open : open_edges(side)) {
     if (open.from == open.to) by_vertex[open.from].push_back(open.edge);
+  }
   for (const auto& [v, edges] : by_vertex) {
     Rational longest = 0;
     for (const EdgeId e : edges) {
@@ -171,8 +176,9 @@ void EdgeMatcher::report_parallel(Side side) {
         Walk{halfedge(f, sides_[other(side)].edges[f].tail != open.from)};
   }
   for (auto& [f, edges] : by_edge) {
-    if (const EdgeId match = result_.match[other(side)][f]; match.valid())
+    if (const EdgeId match = result_.match[other(side)][f]; match.valid()) {
       edges.insert(edges.begin(), match);
+    }
     const std::string message =
         side == Exact
             ? fmt::format("{} exact edges became one float edge", edges.size())
@@ -234,20 +240,22 @@ void EdgeMatcher::report_chains(Side side, const std::vector<bool>& is_usable,
 Numbers EdgeMatcher::why_lacking(Side side, EdgeId e) const {
   const Edge& edge = sides_[side].edges[e];
   Numbers numbers;
-  for (const VertexId v : {edge.tail, edge.head})
+  for (const VertexId v : {edge.tail, edge.head}) {
     if (!vertices_.image[side][v].valid()) numbers.push_back(vertices_.number[side][v]);
+  }
   return numbers;
 }
 
 void EdgeMatcher::report_lacking(Side side) {
   const char* message = side == Exact ? "an exact edge is missing from the float result"
                                       : "a float edge has no exact counterpart";
-  for (std::size_t i = 0; i < sides_[side].edge_count(); ++i)
+  for (std::size_t i = 0; i < sides_[side].edge_count(); ++i) {
     if (const EdgeId e(i); !is_accounted(side, e)) {
       Finding f = finding(side, lacking(side), {e}, {}, message);
       add_causes(f, why_lacking(side, e));
       add(std::move(f));
     }
+  }
 }
 
 }  // namespace

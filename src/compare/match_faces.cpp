@@ -24,10 +24,12 @@ OpenFaces faces_without(const Sides& sides, const Groups& groups) {
   OpenFaces open;
   for (const Side side : kBothSides) {
     std::vector<bool> has_group(sides[side].face_count());
-    for (const Group& group : groups)
+    for (const Group& group : groups) {
       for (const std::size_t f : group[side]) has_group[f] = true;
-    for (std::size_t f = 0; f < has_group.size(); ++f)
+    }
+    for (std::size_t f = 0; f < has_group.size(); ++f) {
       if (!has_group[f]) open[side].push_back(f);
+    }
   }
   return open;
 }
@@ -47,7 +49,7 @@ std::pair<std::size_t, std::size_t> pair_of(Side side, std::size_t here, std::si
 /// faces first, so that pairs with equal boundaries come in their order.
 Pairs boundary_pairs(const Sides& sides, const CycleMatch& cycles, const OpenFaces& open) {
   Pairs result;
-  for (const Side side : kBothSides)
+  for (const Side side : kBothSides) {
     for (const std::size_t f : open[side]) {
       const CycleId cycle = cycles.same[side][sides[side].face_outer[f]];
       if (!cycle.valid()) continue;
@@ -57,6 +59,7 @@ Pairs boundary_pairs(const Sides& sides, const CycleMatch& cycles, const OpenFac
       const bool is_open = std::binary_search(open_there.begin(), open_there.end(), g);
       if (is_open && others.face_outer[g] == cycle) result.push_back(pair_of(side, f, g));
     }
+  }
   return result;
 }
 
@@ -118,8 +121,9 @@ Places places_of(const Sides& sides, const OpenFaces& open, bool float_is_valid)
       faces.push_back(f);
     }
     const std::vector<FaceId> there = locate_all(sides[other(side)], points);
-    for (std::size_t i = 0; i < faces.size(); ++i)
+    for (std::size_t i = 0; i < faces.size(); ++i) {
       places[side].emplace(faces[i], Place{points[i], there[i]});
+    }
   }
   return places;
 }
@@ -146,8 +150,9 @@ std::optional<Rational> area_in_dispute(const Sides& sides, const std::optional<
     return overlaps->symmetric_difference(group);
   }
   Rational area = 0;
-  for (const Side side : kBothSides)
+  for (const Side side : kBothSides) {
     for (const std::size_t f : group[side]) area += abs(face_area(sides[side], FaceId(f)));
+  }
   return area;
 }
 
@@ -162,8 +167,8 @@ struct Cause {
 Cause cause_of(const Sides& sides, const VertexMatch& vertices, const EdgeMatch& edges,
                const Group& group) {
   Cause by_edges, by_vertices, unknown;
-  for (const Side side : kBothSides)
-    for (const std::size_t f : group[side])
+  for (const Side side : kBothSides) {
+    for (const std::size_t f : group[side]) {
       for (const HalfedgeId h : sides[side].cycles[sides[side].face_outer[f]]) {
         const EdgeId e = edge_of(h);
         unknown.edges[side].push_back(e);
@@ -174,10 +179,13 @@ Cause cause_of(const Sides& sides, const VertexMatch& vertices, const EdgeMatch&
         const VertexId v = sides[side].origin(h);
         if (vertices.number[side][v] != 0) {
           by_vertices.numbers.push_back(vertices.number[side][v]);
-          for (const HalfedgeId out : sides.outgoing[side][v])
+          for (const HalfedgeId out : sides.outgoing[side][v]) {
             by_vertices.edges[side].push_back(edge_of(out));
+          }
         }
       }
+    }
+  }
   return !by_edges.numbers.empty()      ? by_edges
          : !by_vertices.numbers.empty() ? by_vertices
                                         : unknown;
@@ -203,8 +211,9 @@ std::string message_of(const Group& group) {
 /// Where a face that has no counterpart lies.
 std::string note(const Places& places, Side side, std::size_t f) {
   const auto place = places[side].find(f);
-  if (place == places[side].end())
+  if (place == places[side].end()) {
     return " (no interior point could be found in the invalid complex)";
+  }
   const FaceId g = place->second.there;
   if (!g.valid()) return fmt::format("; its place is in no {} face", name(other(side)));
   return g == kUnbounded ? fmt::format("; its place is in the unbounded {} face", name(other(side)))
@@ -249,8 +258,9 @@ FaceMatch numbered(const Sides& sides, const Groups& groups) {
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const Group& group = groups[i];
-    for (const Side side : kBothSides)
+    for (const Side side : kBothSides) {
       for (const std::size_t f : group[side]) result.group[side][f] = i;
+    }
     if (group[Exact].size() != 1 || group[Float].size() != 1) continue;
     result.match[Exact][group[Exact][0]] = FaceId(group[Float][0]);
     result.match[Float][group[Float][0]] = FaceId(group[Exact][0]);

@@ -52,9 +52,11 @@ Rational Distances::largest_squared(const std::vector<Candidate>& pairs) const {
   double farthest = 0;
   for (const Candidate& pair : pairs) farthest = std::max(farthest, pair.distance);
   Rational result = 0;
-  for (const Candidate& pair : pairs)
-    if (!are_apart(pair.distance, farthest))
+  for (const Candidate& pair : pairs) {
+    if (!are_apart(pair.distance, farthest)) {
       result = std::max(result, squared(pair.exact_vertex, pair.float_vertex));
+    }
+  }
   return result;
 }
 
@@ -131,8 +133,9 @@ std::vector<Candidate> nearest_first(const std::vector<Candidate>& candidates,
                                      const Distances& distances) {
   if (candidates.size() < 2) return candidates;
   std::vector<std::pair<Rational, Candidate>> exact;
-  for (const Candidate& c : candidates)
+  for (const Candidate& c : candidates) {
     exact.emplace_back(distances.squared(c.exact_vertex, c.float_vertex), c);
+  }
   std::sort(exact.begin(), exact.end(), [](const auto& a, const auto& b) {
     if (const int order = cmp(a.first, b.first); order != 0) return order < 0;
     return std::pair(a.second.exact_vertex, a.second.float_vertex) <
@@ -238,8 +241,9 @@ Finding joined_vertices(const Sides& sides, Side side, const std::vector<VertexI
       joined(segments_at(sides, side, vertices), segments_at(sides, other(side), std::array{into}));
   if (detail != Detail::Full) return finding;
   Rational farthest = 0;
-  for (const VertexId v : vertices)
+  for (const VertexId v : vertices) {
     farthest = std::max(farthest, squared_distance(sides.point(side, v), finding.where));
+  }
   finding.squared_distance = farthest;
   finding.distance = length(farthest);
   const double apart = length(
@@ -254,10 +258,13 @@ Finding joined_vertices(const Sides& sides, Side side, const std::vector<VertexI
 }
 
 void add(VertexMatch& result, Finding finding, std::size_t first_number) {
-  for (const Side side : kBothSides)
-    for (const std::size_t v : cells(finding, side))
-      if (result.number[side][v] == 0)
+  for (const Side side : kBothSides) {
+    for (const std::size_t v : cells(finding, side)) {
+      if (result.number[side][v] == 0) {
         result.number[side][v] = first_number + result.findings.size();
+      }
+    }
+  }
   result.findings.push_back(std::move(finding));
 }
 
@@ -286,8 +293,9 @@ void account_for_unmatched(VertexMatch& result, const Sides& sides, Side side,
   for (std::size_t i = 0; i < joined_into.size(); ++i) {
     const VertexId into(i);
     if (joined_into[into].empty()) continue;
-    if (const VertexId match = result.match[other(side)][into]; match.valid())
+    if (const VertexId match = result.match[other(side)][into]; match.valid()) {
       joined_into[into].insert(joined_into[into].begin(), match);
+    }
     add(result, joined_vertices(sides, side, joined_into[into], into, detail), first_number);
   }
   for (Finding& finding : lacking_ones) add(result, std::move(finding), first_number);

@@ -46,10 +46,12 @@ class MovedVertexSearch {
       : sides_(sides), match_(match) {}
 
   std::vector<VertexPair> run() {
-    for (const Side side : kBothSides)
+    for (const Side side : kBothSides) {
       if (std::all_of(match_[side].begin(), match_[side].end(),
-                      [](VertexId v) { return v.valid(); }))
+                      [](VertexId v) { return v.valid(); })) {
         return {};  // nothing on that side that could have moved
+      }
+    }
     pair_components();
     while (pair_by_neighbours()) {
     }
@@ -81,9 +83,11 @@ bool MovedVertexSearch::are_alike(const Shape& here, const Shape& there) const {
     const VertexId w = match_[Exact][here.vertices[i]], v = match_[Float][there.vertices[i]];
     if (w.valid() ? w != there.vertices[i] : v.valid()) return false;
   }
-  for (std::size_t i = 0; i < here.edges.size(); ++i)
-    if (!have_common_source(sides_[Exact], here.edges[i], sides_[Float], there.edges[i]))
+  for (std::size_t i = 0; i < here.edges.size(); ++i) {
+    if (!have_common_source(sides_[Exact], here.edges[i], sides_[Float], there.edges[i])) {
       return false;
+    }
+  }
   return true;
 }
 
@@ -91,13 +95,14 @@ void MovedVertexSearch::pair_components() {
   const Both<std::vector<Shape>> all = {shapes(sides_[Exact]), shapes(sides_[Float])};
   const auto pair = [&](const Shape& here, const Shape& there) {
     if (!are_alike(here, there)) return;
-    for (std::size_t i = 0; i < here.vertices.size(); ++i)
+    for (std::size_t i = 0; i < here.vertices.size(); ++i) {
       if (!match_[Exact][here.vertices[i]].valid()) add(here.vertices[i], there.vertices[i]);
+    }
   };
   // Those without any match by their shape, if there are as many on both sides.
   using Ends = std::vector<std::pair<std::size_t, std::size_t>>;
   std::map<Ends, Both<std::vector<const Shape*>>> strangers;
-  for (const Side side : kBothSides)
+  for (const Side side : kBothSides) {
     for (const Shape& shape : all[side]) {
       const auto is_matched = [&](VertexId v) { return match_[side][v].valid(); };
       const auto matched = std::find_if(shape.vertices.begin(), shape.vertices.end(), is_matched);
@@ -107,9 +112,12 @@ void MovedVertexSearch::pair_components() {
         pair(shape, all[Float][sides_[Float].vertex_component[match_[Exact][*matched]]]);
       }
     }
-  for (const auto& [ends, list] : strangers)
-    if (list[Exact].size() == list[Float].size())
+  }
+  for (const auto& [ends, list] : strangers) {
+    if (list[Exact].size() == list[Float].size()) {
       for (std::size_t i = 0; i < list[Exact].size(); ++i) pair(*list[Exact][i], *list[Float][i]);
+    }
+  }
 }
 
 /// The vertices without a match, by the exact names of their matched neighbours (at least one) and
@@ -137,8 +145,9 @@ bool MovedVertexSearch::have_common_sources(VertexId v, VertexId w) const {
     const VertexId there = match_[Exact][sides_[Exact].target(h)];
     if (!there.valid()) continue;
     const EdgeId f = edge_between(sides_, Float, w, there);
-    if (!f.valid() || !have_common_source(sides_[Exact], edge_of(h), sides_[Float], f))
+    if (!f.valid() || !have_common_source(sides_[Exact], edge_of(h), sides_[Float], f)) {
       return false;
+    }
   }
   return true;
 }
@@ -151,8 +160,9 @@ bool MovedVertexSearch::pair_by_neighbours() {
   for (const auto& [key, here] : exacts) {
     const auto there = floats.find(key);
     if (there == floats.end() || here.size() != 1 || there->second.size() != 1) continue;
-    if (have_common_sources(here[0], there->second[0]))
+    if (have_common_sources(here[0], there->second[0])) {
       pairs.emplace_back(here[0], there->second[0]);
+    }
   }
   for (const auto& [v, w] : pairs) add(v, w);
   return found_.size() != before;

@@ -55,8 +55,9 @@ class NestingCheck {
 
 std::vector<std::size_t> NestingCheck::holes(Side side) const {
   std::vector<std::size_t> result;
-  for (const CycleId c : sides_[side].face_holes.flat())
+  for (const CycleId c : sides_[side].face_holes.flat()) {
     if (!is_undisturbed(side, c)) result.push_back(c);
+  }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
@@ -76,7 +77,7 @@ std::vector<std::pair<std::size_t, std::size_t>> NestingCheck::shared_edges() co
   std::vector<std::pair<std::size_t, std::size_t>> result;
   for (const Side side : kBothSides) {
     const std::vector<std::size_t>& others = holes_[other(side)];
-    for (const std::size_t c : holes_[side])
+    for (const std::size_t c : holes_[side]) {
       for (const HalfedgeId h : sides_[side].cycles[c]) {
         const auto image = edges_.image(side, edge_of(h));
         if (!image) continue;
@@ -87,6 +88,7 @@ std::vector<std::pair<std::size_t, std::size_t>> NestingCheck::shared_edges() co
           if (side == Float) result.emplace_back(d, c);
         }
       }
+    }
   }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -101,10 +103,13 @@ std::string NestingCheck::face_text(Side side, FaceId f) const {
 
 Numbers NestingCheck::causes(const Group& group) const {
   Numbers result;
-  for (const Side side : kBothSides)
-    for (const std::size_t c : group[side])
-      for (const HalfedgeId h : sides_[side].cycles[c])
+  for (const Side side : kBothSides) {
+    for (const std::size_t c : group[side]) {
+      for (const HalfedgeId h : sides_[side].cycles[c]) {
         result.push_back(edges_.number[side][edge_of(h)]);
+      }
+    }
+  }
   return result;
 }
 
@@ -117,8 +122,9 @@ void NestingCheck::add(const Group& group, Disagreement disagreement, std::strin
   for (const Side side : kBothSides) {
     cells(finding, side) = group[side];
     std::vector<EdgeId> edges;
-    for (const std::size_t c : group[side])
+    for (const std::size_t c : group[side]) {
       for (const HalfedgeId h : sides_[side].cycles[c]) edges.push_back(edge_of(h));
+    }
     finding.segments = joined(std::move(finding.segments), segments_of(sides_[side], edges));
   }
   const Side side = group[Exact].empty() ? Float : Exact;
@@ -156,9 +162,10 @@ void NestingCheck::check(const Group& group) {
 
 void NestingCheck::check_isolated_vertices() {
   std::vector<FaceId> float_face(sides_[Float].vertices.size());
-  for (std::size_t g = 0; g < sides_[Float].face_count(); ++g)
+  for (std::size_t g = 0; g < sides_[Float].face_count(); ++g) {
     for (const VertexId w : sides_[Float].face_isolated_vertices[g]) float_face[w] = FaceId(g);
-  for (std::size_t f = 0; f < sides_[Exact].face_count(); ++f)
+  }
+  for (std::size_t f = 0; f < sides_[Exact].face_count(); ++f) {
     for (const VertexId v : sides_[Exact].face_isolated_vertices[f]) {
       const VertexId w = vertices_.match[Exact][v];
       if (!w.valid() || !float_face[w].valid()) continue;
@@ -175,6 +182,7 @@ void NestingCheck::check_isolated_vertices() {
       finding.float_cells = {w};
       findings_.push_back(std::move(finding));
     }
+  }
 }
 
 }  // namespace

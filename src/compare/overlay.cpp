@@ -16,9 +16,11 @@ namespace {
 std::vector<BoundaryPiece> boundaries(const Sides& sides,
                                       const Both<std::vector<std::size_t>>& faces) {
   std::vector<BoundaryPiece> pieces;
-  for (const Side side : kBothSides)
-    for (const std::size_t f : faces[side])
+  for (const Side side : kBothSides) {
+    for (const std::size_t f : faces[side]) {
       add_boundary(pieces, sides[side], FaceId(f), 2 * f + side);
+    }
+  }
   return pieces;
 }
 
@@ -43,8 +45,9 @@ bool can_be_overlaid(const Sides& sides, const Both<std::vector<std::size_t>>& f
     for (const std::size_t f : faces[side]) {
       const auto holes = sides[side].face_holes[f];
       if (!may_be_cycle(sides[side].face_outer[f]) ||
-          !std::all_of(holes.begin(), holes.end(), may_be_cycle))
+          !std::all_of(holes.begin(), holes.end(), may_be_cycle)) {
         return false;
+      }
     }
   }
   return !are_crowded(ends);
@@ -62,8 +65,9 @@ std::optional<std::vector<Region>> overlay(const Sides& sides,
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (overlaid->windings[i].empty() || i == kUnbounded) continue;
     Region region{areas[i], {}};
-    for (const auto& [label, times] : overlaid->windings[i])
+    for (const auto& [label, times] : overlaid->windings[i]) {
       region.faces[label % 2 == 0 ? Exact : Float].push_back(label / 2);
+    }
     regions.push_back(std::move(region));
   }
   return regions;
@@ -71,20 +75,22 @@ std::optional<std::vector<Region>> overlay(const Sides& sides,
 
 Overlaps::Overlaps(std::vector<Region> regions) : regions_(std::move(regions)) {
   for (const Side side : kBothSides) {
-    for (std::size_t i = 0; i < regions_.size(); ++i)
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
       for (const std::size_t f : regions_[i].faces[side]) region_of_face_[side].emplace_back(f, i);
+    }
     std::sort(region_of_face_[side].begin(), region_of_face_[side].end());
   }
 }
 
 std::vector<std::size_t> Overlaps::regions_of(const Both<std::vector<std::size_t>>& faces) const {
   std::vector<std::size_t> result;
-  for (const Side side : kBothSides)
+  for (const Side side : kBothSides) {
     for (const std::size_t f : faces[side]) {
       const auto& list = region_of_face_[side];
       auto entry = std::lower_bound(list.begin(), list.end(), std::pair(f, std::size_t{0}));
       for (; entry != list.end() && entry->first == f; ++entry) result.push_back(entry->second);
     }
+  }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
@@ -93,7 +99,7 @@ std::vector<std::size_t> Overlaps::regions_of(const Both<std::vector<std::size_t
 std::vector<std::pair<std::size_t, std::size_t>> Overlaps::pairs(
     const Both<std::vector<std::size_t>>& faces) const {
   std::vector<std::pair<std::size_t, std::size_t>> result;
-  for (const Side side : kBothSides)
+  for (const Side side : kBothSides) {
     for (const std::size_t f : faces[side]) {
       Both<std::vector<std::size_t>> alone;
       alone[side] = {f};
@@ -102,8 +108,9 @@ std::vector<std::pair<std::size_t, std::size_t>> Overlaps::pairs(
       for (const std::size_t i : regions_of(alone)) {
         bool is_covered = false;
         for (const std::size_t g : regions_[i].faces[other(side)]) {
-          if (!std::binary_search(faces[other(side)].begin(), faces[other(side)].end(), g))
+          if (!std::binary_search(faces[other(side)].begin(), faces[other(side)].end(), g)) {
             continue;
+          }
           covered_by[g] += regions_[i].area;
           is_covered = true;
         }
@@ -116,6 +123,7 @@ std::vector<std::pair<std::size_t, std::size_t>> Overlaps::pairs(
       if (largest == covered_by.end() || largest->second < uncovered) continue;
       result.push_back(side == Exact ? std::pair(f, largest->first) : std::pair(largest->first, f));
     }
+  }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

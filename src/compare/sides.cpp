@@ -20,11 +20,13 @@ Lists<HalfedgeId> outgoing_halfedges(const ExactComplex& complex) {
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<HalfedgeId> sorted(2 * complex.edge_count());
-  for (std::size_t h = 0; h < sorted.size(); ++h)
+  for (std::size_t h = 0; h < sorted.size(); ++h) {
     sorted[begin[complex.origin(HalfedgeId(h)) + std::size_t{1}]++] = HalfedgeId(h);
+  }
   Lists<HalfedgeId> lists;
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     lists.push_back(std::span(sorted).subspan(begin[v], begin[v + 1] - begin[v]));
+  }
   return lists;
 }
 
@@ -38,9 +40,10 @@ std::vector<SegmentId> sorted_unique(std::vector<SegmentId> ids) {
 
 Sides make_sides(const ExactComplex& exact_complex, const ExactComplex& float_complex,
                  double tolerance) {
-  if (!std::isfinite(tolerance) || tolerance < 0)
+  if (!std::isfinite(tolerance) || tolerance < 0) {
     throw Error(ErrorCode::BadInput, "the tolerance must be a finite number, 0 or more", {},
                 fmt::format("{}", tolerance));
+  }
   const Rational exact_tolerance = rational_from(tolerance);
   return {{&exact_complex, &float_complex},
           {FilteredPoints(exact_complex.vertices), FilteredPoints(float_complex.vertices)},
@@ -76,8 +79,9 @@ std::vector<SegmentId> segments_of(const ExactComplex& complex, std::span<const 
 std::vector<SegmentId> segments_at(const Sides& sides, Side side,
                                    std::span<const VertexId> vertices) {
   std::vector<EdgeId> edges;
-  for (const VertexId v : vertices)
+  for (const VertexId v : vertices) {
     for (const HalfedgeId h : sides.outgoing[side][v]) edges.push_back(edge_of(h));
+  }
   return segments_of(sides[side], edges);
 }
 

@@ -48,9 +48,11 @@ bool is_of_graph(Invariant invariant) {
 
 std::vector<Finding> invalidities(const Sides& sides, Compared compared) {
   std::vector<Finding> findings;
-  for (const Violation& violation : validate(sides[Float]))
-    if (compared == Compared::All || is_of_graph(violation.invariant))
+  for (const Violation& violation : validate(sides[Float])) {
+    if (compared == Compared::All || is_of_graph(violation.invariant)) {
       findings.push_back(to_finding(sides, violation));
+    }
+  }
   return findings;
 }
 

@@ -16,10 +16,11 @@ Windings summed(Windings windings) {
   std::sort(windings.begin(), windings.end());
   Windings result;
   for (const auto& [label, times] : windings) {
-    if (!result.empty() && result.back().first == label)
+    if (!result.empty() && result.back().first == label) {
       result.back().second += times;
-    else
+    } else {
       result.emplace_back(label, times);
+    }
   }
   std::erase_if(result, [](const auto& entry) { return entry.second == 0; });
   return result;
@@ -52,9 +53,10 @@ std::optional<ExactComplex> arranged(const std::vector<BoundaryPiece>& pieces) {
 void add_boundary(std::vector<BoundaryPiece>& pieces, const ExactComplex& complex, FaceId f,
                   std::size_t label) {
   const auto add = [&](CycleId cycle) {
-    for (const HalfedgeId h : complex.cycles[cycle])
+    for (const HalfedgeId h : complex.cycles[cycle]) {
       pieces.push_back({complex.vertices[complex.origin(h)], complex.vertices[complex.target(h)],
                         label, edge_of(h)});
+    }
   };
   if (complex.face_outer[f].valid()) add(complex.face_outer[f]);
   for (const CycleId hole : complex.face_holes[f]) add(hole);
@@ -109,10 +111,12 @@ std::optional<Overlaid> overlaid(const std::vector<BoundaryPiece>& pieces, Windi
   };
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const FaceId f = queue[i];
-    if (c.face_outer[f].valid())
+    if (c.face_outer[f].valid()) {
       for (const HalfedgeId h : c.cycles[c.face_outer[f]]) cross(f, h);
-    for (const CycleId hole : c.face_holes[f])
+    }
+    for (const CycleId hole : c.face_holes[f]) {
       for (const HalfedgeId h : c.cycles[hole]) cross(f, h);
+    }
   }
   return result;
 }

@@ -36,30 +36,36 @@ bool takes_correspondence(const Finding& finding) {
 
 WrongCells::WrongCells(const Comparison& comparison, const ExactComplex& exact_complex)
     : comparison_(comparison) {
-  for (std::size_t kind = 0; kind < kKinds; ++kind)
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
     by_cell_[kind].resize(cell_count(exact_complex, static_cast<CellKind>(kind)));
+  }
   for (std::size_t i = 0; i < comparison.findings.size(); ++i) {
     const Finding& finding = comparison.findings[i];
     if (finding.disagreement == Disagreement::Invalid) continue;
     const auto kind = static_cast<std::size_t>(finding.kind);
-    for (const std::size_t cell : finding.exact_cells)
+    for (const std::size_t cell : finding.exact_cells) {
       if (by_cell_[kind][cell] == 0) by_cell_[kind][cell] = i + 1;
-    if (finding.exact_cells.empty())
+    }
+    if (finding.exact_cells.empty()) {
       for (const SegmentId s : finding.segments) by_segment_[kind].emplace_back(s, i);
+    }
   }
   for (auto& list : by_segment_) std::sort(list.begin(), list.end());
 }
 
 std::optional<std::size_t> WrongCells::same(const Finding& finding) const {
   const auto kind = static_cast<std::size_t>(finding.kind);
-  for (const std::size_t cell : finding.exact_cells)
+  for (const std::size_t cell : finding.exact_cells) {
     if (by_cell_[kind][cell] != 0) return by_cell_[kind][cell] - 1;
+  }
   if (!finding.exact_cells.empty()) return std::nullopt;
   const auto& list = by_segment_[kind];
-  for (const SegmentId s : finding.segments)
+  for (const SegmentId s : finding.segments) {
     for (auto it = std::lower_bound(list.begin(), list.end(), std::pair(s, std::size_t{0}));
-         it != list.end() && it->first == s; ++it)
+         it != list.end() && it->first == s; ++it) {
       if (is_near(finding, comparison_.findings[it->second])) return it->second;
+    }
+  }
   return std::nullopt;
 }
 

@@ -20,8 +20,9 @@ struct Place {
 };
 
 Place place(const PointList& points, std::size_t i) {
-  if (const WidePoint* p = points.wide(i))
+  if (const WidePoint* p = points.wide(i)) {
     return {wide::integer(p->x), wide::integer(p->y), wide::integer(p->w)};
+  }
   const Point p = points[i];
   return {p.x.get_num() * p.y.get_den(), p.y.get_num() * p.x.get_den(),
           p.x.get_den() * p.y.get_den()};
@@ -41,8 +42,9 @@ Fraction twice_area(std::span<const Place> chain) {
 Rational area(const ExactComplex& complex, CycleId cycle) {
   std::vector<Place> chain;
   chain.reserve(complex.cycles[cycle].size() + 1);
-  for (const HalfedgeId h : complex.cycles[cycle])
+  for (const HalfedgeId h : complex.cycles[cycle]) {
     chain.push_back(place(complex.vertices, complex.origin(h)));
+  }
   chain.push_back(chain.front());
   const Fraction twice = twice_area(chain);
   Rational result(twice.n, 2 * twice.d);

@@ -22,8 +22,9 @@ struct Renumbering {
 template <class Id>
 Renumbering<Id> renumbering(std::vector<Id> old_of_new) {
   Renumbering<Id> order{std::vector<Id>(old_of_new.size()), std::move(old_of_new)};
-  for (std::size_t i = 0; i < order.old_of_new.size(); ++i)
+  for (std::size_t i = 0; i < order.old_of_new.size(); ++i) {
     order.new_of_old[order.old_of_new[i]] = Id(i);
+  }
   return order;
 }
 
@@ -50,8 +51,9 @@ void ensure_indices(const Incidences& c, std::size_t vertex_count) {
   for (const HalfedgeId h : c.cycles.flat()) {
     ensure(h < 2 * c.edges.size(), "a cycle consists of halfedges");
   }
-  for (std::size_t i = 0; i < c.cycles.size(); ++i)
+  for (std::size_t i = 0; i < c.cycles.size(); ++i) {
     ensure(!c.cycles[i].empty(), "no cycle is empty");
+  }
   for (std::size_t f = 1; f < c.face_outer.size(); ++f) {
     ensure(c.face_outer[f] < c.cycles.size(), "a bounded face has an outer boundary");
   }
@@ -72,8 +74,9 @@ Renumbering<EdgeId> sorted_edges(const std::vector<Edge>& edges, std::size_t ver
   const auto is_before = [&](EdgeId i, EdgeId j) {
     return edges[i].head != edges[j].head ? edges[i].head < edges[j].head : i < j;
   };
-  for (std::size_t v = 0; v < vertex_count; ++v)
+  for (std::size_t v = 0; v < vertex_count; ++v) {
     std::sort(ids.begin() + begin[v], ids.begin() + begin[v + 1], is_before);
+  }
   return renumbering(std::move(ids));
 }
 
@@ -181,8 +184,9 @@ Renumbering<VertexId> sorted_vertices(const Points& points) {
   };
   std::vector<Key> keys;
   keys.reserve(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v)
+  for (std::size_t v = 0; v < points.size(); ++v) {
     keys.push_back({rounded(points, v).x, VertexId(v)});
+  }
   std::stable_sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
     return a.x != b.x ? a.x < b.x : compare(points, a.v, b.v) < 0;
   });

@@ -21,9 +21,11 @@ class Search {
     reach = tree_.above(tree_.above(reach));
     for_pairs(reach, [&](VertexId v, VertexId w, double) {
       const Rational squared = squared_distance(c_.vertices[v], c_.vertices[w]);
-      if (size.v.valid() && (squared > size.squared_vertex_vertex ||
-                             (squared == size.squared_vertex_vertex && (size.v < v || size.w < w))))
+      if (size.v.valid() &&
+          (squared > size.squared_vertex_vertex ||
+           (squared == size.squared_vertex_vertex && (size.v < v || size.w < w)))) {
         return;
+      }
       size.squared_vertex_vertex = squared;
       size.v = v;
       size.w = w;
@@ -39,8 +41,9 @@ class Search {
                                                 c_.vertices[c_.edges[e].head]);
       if (size.edge.valid() &&
           (squared > size.squared_vertex_edge ||
-           (squared == size.squared_vertex_edge && (size.edge < e || size.vertex < v))))
+           (squared == size.squared_vertex_edge && (size.edge < e || size.vertex < v)))) {
         return;
+      }
       size.squared_vertex_edge = squared;
       size.vertex = v;
       size.edge = e;

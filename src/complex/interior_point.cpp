@@ -25,8 +25,9 @@ std::vector<Side> boundary_of(const ExactComplex& c, FaceId f) {
   sides.reserve(count);
   const auto add = [&](CycleId cycle) {
     const std::size_t first = sides.size();
-    for (const HalfedgeId h : c.cycles[cycle])
+    for (const HalfedgeId h : c.cycles[cycle]) {
       sides.push_back({c.vertices[c.origin(h)], sides.size() + 1, c.is_antenna(edge_of(h))});
+    }
     sides.back().next = first;
   };
   add(c.face_outer[f]);

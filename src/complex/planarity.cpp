@@ -40,8 +40,9 @@ class Certifier {
 
   bool run() {
     if (!prepare()) return false;
-    for (std::size_t v = 0; v < c_.vertices.size(); ++v)
+    for (std::size_t v = 0; v < c_.vertices.size(); ++v) {
       if (!enter(VertexId(v))) return false;
+    }
     return has_right_cycles();
   }
 
@@ -77,8 +78,9 @@ class Certifier {
 };
 
 bool Certifier::prepare() {
-  for (std::size_t v = 1; v < c_.vertices.size(); ++v)
+  for (std::size_t v = 1; v < c_.vertices.size(); ++v) {
     if (!points_.is_before(v - 1, v)) return false;
+  }
   ending_count_.assign(c_.vertices.size(), 0);
   some_ending_.resize(c_.vertices.size());
   for (std::size_t e = 0; e < status_edges_.size(); ++e) {
@@ -132,8 +134,9 @@ bool Certifier::take_ending(VertexId v) {
 
 /// Puts the edges that begin at v into their place, if no two have the same direction.
 bool Certifier::take_beginning(VertexId v) {
-  for (; next_edge_ < status_edges_.size() && c_.edges[next_edge_].tail == v; ++next_edge_)
+  for (; next_edge_ < status_edges_.size() && c_.edges[next_edge_].tail == v; ++next_edge_) {
     around_.push_back(halfedge(EdgeId(next_edge_), false));
+  }
   const auto turn = [&](HalfedgeId g, HalfedgeId h) {
     return points_.orientation(v, c_.target(g), c_.target(h));
   };
@@ -186,11 +189,14 @@ bool Certifier::has_right_cycles() const {
     const bool is_outline = outline_[component(hole)] == hole;
     if (!is_outline || !see(hole) || !place(c_.origin(c_.cycles[hole].front()))) return false;
   }
-  for (const VertexId v : c_.face_isolated_vertices.flat())
+  for (const VertexId v : c_.face_isolated_vertices.flat()) {
     if (outline_[c_.vertex_component[v]].valid() || !place(v)) return false;
-  for (std::size_t f = 1; f < c_.face_count(); ++f)
-    if (!see(c_.face_outer[f]) || outline_[component(c_.face_outer[f])] == c_.face_outer[f])
+  }
+  for (std::size_t f = 1; f < c_.face_count(); ++f) {
+    if (!see(c_.face_outer[f]) || outline_[component(c_.face_outer[f])] == c_.face_outer[f]) {
       return false;
+    }
+  }
   const auto is_true = [](bool b) { return b; };
   return std::all_of(is_seen.begin(), is_seen.end(), is_true) &&
          std::all_of(is_placed.begin(), is_placed.end(), is_true);

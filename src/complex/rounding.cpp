@@ -11,8 +11,9 @@ FloatComplex nearest(const ExactComplex& complex) {
   FloatComplex result;
   static_cast<Incidences&>(result) = complex;
   result.vertices.reserve(complex.vertices.size());
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     result.vertices.push_back(complex.vertices.nearest(v));
+  }
   return canonical(std::move(result));
 }
 

@@ -54,8 +54,9 @@ class Line {
   }
   void add(const PointList& points, std::size_t v) {
     if (const WidePoint* p = points.wide(v)) {
-      for (const auto coordinate : {p->x, p->y})
+      for (const auto coordinate : {p->x, p->y}) {
         wide::append_fraction(text_ += ' ', wide::lowest(coordinate, p->w), 16);
+      }
     } else {
       const Point other = points[v];
       text_ += ' ' + other.x.get_str(16) + ' ' + other.y.get_str(16);
@@ -85,8 +86,9 @@ std::string vertex_line(const PointList& points, std::size_t v) {
 std::string signature(const ExactComplex& complex) {
   Hasher hash;
   hash.add("plumbline complex 1\n");
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     hash.add(vertex_line(complex.vertices, v));
+  }
   for (const Edge& e : complex.edges) hash.add(line('e', std::array{e.tail, e.head}));
   for (std::size_t c = 0; c < complex.cycles.size(); ++c) hash.add(line('c', complex.cycles[c]));
   for (std::size_t f = 0; f < complex.face_count(); ++f) {

@@ -46,8 +46,9 @@ class Claims {
 
   void report_claimed_by_none() {
     for (std::size_t h = 0; h < counts_.size(); ++h) {
-      if (counts_[h] == 0)
+      if (counts_[h] == 0) {
         report("a halfedge is in 0 cycles of faces, not in one", {HalfedgeId(h)}, {});
+      }
     }
   }
 
@@ -97,8 +98,9 @@ class Claims {
       const auto is_right = [&](HalfedgeId h) {
         return c_.halfedge_face[h] == expected[i] || counts_[h] > 1;
       };
-      if (c_.cycle_face[i] == expected[i] && std::all_of(cycle.begin(), cycle.end(), is_right))
+      if (c_.cycle_face[i] == expected[i] && std::all_of(cycle.begin(), cycle.end(), is_right)) {
         continue;
+      }
       violations_.add({Invariant::Derived,
                        "a cycle or one of its halfedges names another face than its own",
                        c_.vertices[c_.origin(cycle.front())],

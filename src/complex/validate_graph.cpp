@@ -26,8 +26,9 @@ std::vector<Item> items(const ExactComplex& c) {
     const auto [tail, head] = c.edges[e];
     list.push_back({tail, head, EdgeId(e), std::min(y[tail], y[head]), std::max(y[tail], y[head])});
   }
-  for (const VertexId v : c.face_isolated_vertices.flat())
+  for (const VertexId v : c.face_isolated_vertices.flat()) {
     list.push_back({v, v, EdgeId(), y[v], y[v]});
+  }
   std::stable_sort(list.begin(), list.end(), [&](const Item& i, const Item& j) {
     return c.vertices.compare(i.tail, j.tail) < 0;
   });

@@ -59,8 +59,9 @@ void VertexTree::set_labels(std::span<const std::uint32_t> labels) {
       continue;
     }
     node.label = labels_[order_[node.begin]];
-    for (std::uint32_t i = node.begin; i < node.end; ++i)
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
       if (labels_[order_[i]] != node.label) node.label = kNoLabel;
+    }
   }
 }
 
@@ -80,8 +81,9 @@ double VertexTree::Query::distance(const PointD& p) const {
 
 bool VertexTree::Query::may_reach(const Node& node, double reach) const {
   if (std::min(a.x, b.x) - reach > node.box.high.x || std::max(a.x, b.x) + reach < node.box.low.x ||
-      std::min(a.y, b.y) - reach > node.box.high.y || std::max(a.y, b.y) + reach < node.box.low.y)
+      std::min(a.y, b.y) - reach > node.box.high.y || std::max(a.y, b.y) + reach < node.box.low.y) {
     return false;
+  }
   // The line keeps clear of the box if it is further from its centre than its corners reach.
   const double half_x = node.box.width() / 2, half_y = node.box.height() / 2;
   const double x = node.box.low.x + half_x - a.x, y = node.box.low.y + half_y - a.y;

@@ -47,8 +47,9 @@ Defect dangling(const Subject& subject, const Tip& tip, const Chain& line) {
 bool is_told_by_other(const Subject& subject, const Tips& tips, const Tip& tip) {
   VertexId other;
   if (tip.kind == DefectKind::Gap) other = tip.partner;
-  if (tip.kind == DefectKind::Dangle)
+  if (tip.kind == DefectKind::Dangle) {
     other = subject.graph.chain(tip.vertex, subject.graph.edges(tip.vertex)[0]).last;
+  }
   if (!other.valid() || !(other < tip.vertex) || !subject.graph.is_tip(other)) return false;
   const Tip& second = tips.at(other);
   return second.kind == tip.kind &&
@@ -61,8 +62,9 @@ Defects dangling_lines(const Subject& subject, const Tips& tips) {
   Defects result(subject.most_listed);
   for (const Tip& tip : tips.tips) {
     const Chain line = subject.graph.chain(tip.vertex, subject.graph.edges(tip.vertex)[0]);
-    if (subject.graph.is_within(line, subject.within))
+    if (subject.graph.is_within(line, subject.within)) {
       for (const EdgeId e : line.edges) result.add_accident(e);
+    }
     if (is_told_by_other(subject, tips, tip)) continue;
     if (tip.kind == DefectKind::Gap || tip.kind == DefectKind::Undershoot) {
       result.add(near_end(subject, tip));
@@ -70,8 +72,9 @@ Defects dangling_lines(const Subject& subject, const Tips& tips) {
     }
     Defect defect = dangling(subject, tip, line);
     if (tip.kind == DefectKind::Dangle && subject.graph.is_tip(line.last) &&
-        tips.at(line.last).kind == DefectKind::Dangle)
+        tips.at(line.last).kind == DefectKind::Dangle) {
       defect.vertices.push_back(line.last);
+    }
     result.add(std::move(defect));
   }
   for (std::size_t i = 0; i < tips.cut_short; ++i) result.add_cut_short();

@@ -15,9 +15,10 @@ bool is_longest_first(DefectKind kind) {
 /// other cells.
 bool is_before(const Defect& a, const Defect& b) {
   if (a.size != b.size) return is_longest_first(a.kind) ? a.size > b.size : a.size < b.size;
-  if (a.squared_size && b.squared_size && *a.squared_size != *b.squared_size)
+  if (a.squared_size && b.squared_size && *a.squared_size != *b.squared_size) {
     return is_longest_first(a.kind) ? *a.squared_size > *b.squared_size
                                     : *a.squared_size < *b.squared_size;
+  }
   if (!(a.where == b.where)) return a.where < b.where;
   if (a.vertices != b.vertices) return a.vertices < b.vertices;
   if (a.edges != b.edges) return a.edges < b.edges;

@@ -71,8 +71,9 @@ std::vector<ToleranceEffect> effects(const std::vector<double>& proposed,
     if (!is_last && proposed[mended] == tolerance) continue;
     const bool ends_decade =
         is_last || tolerance == 0 || decade(tolerance) != decade(proposed[mended]);
-    if (ends_decade || mended == end_of_sparing)
+    if (ends_decade || mended == end_of_sparing) {
       result.push_back({tolerance, mended, mended <= end_of_sparing});
+    }
   }
   return result;
 }
@@ -81,9 +82,10 @@ std::vector<ToleranceEffect> effects(const std::vector<double>& proposed,
 
 Diagnosis diagnose(const SegmentSet& input, const ExactComplex& complex,
                    const DiagnoseOptions& options) {
-  if (options.within && sgn(*options.within) < 0)
+  if (options.within && sgn(*options.within) < 0) {
     throw Error(ErrorCode::BadInput, "the search distance is negative", {},
                 exact_text(*options.within));
+  }
   Diagnosis result;
   result.within = options.within ? *options.within : default_distance(complex);
   const LineGraph graph(complex);

@@ -48,10 +48,11 @@ class NearMisses {
       best = candidate;
       nearest = std::move(found);
     }
-    if (best)
+    if (best) {
       add(v, best->edge, nearest);
-    else if (near.cut_short || ways.is_thicket())
+    } else if (near.cut_short || ways.is_thicket()) {
       result_.add_cut_short();
+    }
   }
 
   bool is_explained_tip(VertexId v) const {
@@ -71,9 +72,10 @@ class NearMisses {
 
   bool is_explained(Ways& ways, const NearEdge& candidate, VertexId v) const {
     double distance = candidate.distance;
-    if (distance < kBelievable * graph_.slack())
+    if (distance < kBelievable * graph_.slack()) {
       distance =
           nearest_sqrt(nearest_on_edge(graph_.complex(), v, candidate.edge).squared_distance);
+    }
     return ways.lead_to(candidate.edge, candidate.foot, kExplainingWay * distance);
   }
 
@@ -115,8 +117,9 @@ class NearMisses {
   void find_isolated() {
     std::vector<VertexId> isolated;
     const ExactComplex& complex = graph_.complex();
-    for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+    for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
       if (graph_.degree(VertexId(v)) == 0) isolated.emplace_back(v);
+    }
     for (std::size_t i = 0; i < isolated.size(); ++i) {
       const Point& p = complex.vertices[isolated[i]];
       for (std::size_t j = i + 1; j < isolated.size() && j <= i + NearEdges::kMostProposals; ++j) {

@@ -13,8 +13,9 @@ constexpr unsigned long kFirstBits = 128;
 
 std::optional<Rational> rational_root(const Rational& square) {
   if (mpz_perfect_square_p(square.get_num_mpz_t()) == 0 ||
-      mpz_perfect_square_p(square.get_den_mpz_t()) == 0)
+      mpz_perfect_square_p(square.get_den_mpz_t()) == 0) {
     return std::nullopt;
+  }
   return Rational(sqrt(square.get_num()), sqrt(square.get_den()));
 }
 
@@ -68,8 +69,9 @@ double Roots::rounded_up() const {
   double result =
       squares_.size() == 1 ? rounded() : nearest_double(lower_bound(squares_, 8 * kFirstBits));
   while (compare(rational_from(result)) > 0) result = std::nextafter(result, kInfinity);
-  while (result > 0 && compare(rational_from(std::nextafter(result, 0.0))) <= 0)
+  while (result > 0 && compare(rational_from(std::nextafter(result, 0.0))) <= 0) {
     result = std::nextafter(result, 0.0);
+  }
   return result;
 }
 

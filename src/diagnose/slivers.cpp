@@ -17,8 +17,9 @@ constexpr double kRoughMargin = 1e-6;
 std::vector<EdgeId> boundary(const ExactComplex& complex, FaceId f) {
   std::vector<EdgeId> edges;
   const auto add = [&](CycleId cycle) {
-    for (const HalfedgeId h : complex.cycles[cycle])
+    for (const HalfedgeId h : complex.cycles[cycle]) {
       if (!complex.is_antenna(edge_of(h))) edges.push_back(edge_of(h));
+    }
   };
   add(complex.face_outer[f]);
   for (const CycleId hole : complex.face_holes[f]) add(hole);

@@ -43,8 +43,9 @@ class Classifier {
     tip.vertex = v;
     find_nearest(tip, line, near);
     const bool is_found = tip.kind != DefectKind::Dangle;
-    if (is_overshoot(line) && (!is_found || is_shorter(line, tip.squared_distance)))
+    if (is_overshoot(line) && (!is_found || is_shorter(line, tip.squared_distance))) {
       tip.kind = DefectKind::Overshoot;
+    }
     return {tip, near.cut_short && tip.kind == DefectKind::Dangle};
   }
 
@@ -54,13 +55,16 @@ class Classifier {
     const Vector end = direction(graph_, tip.vertex);
     for (const NearEdge& candidate : near.edges) {
       const bool is_found = tip.kind != DefectKind::Dangle;
-      if (is_found && candidate.distance > nearest_sqrt(tip.squared_distance) + 2 * graph_.slack())
+      if (is_found &&
+          candidate.distance > nearest_sqrt(tip.squared_distance) + 2 * graph_.slack()) {
         break;
+      }
       Nearest found = nearest_on_edge(complex, tip.vertex, candidate.edge);
       const VertexId partner = end_to_join(line, end, found, candidate.edge);
-      if (partner.valid())
+      if (partner.valid()) {
         found.squared_distance =
             squared_distance(complex.vertices[tip.vertex], complex.vertices[partner]);
+      }
       if (found.squared_distance > subject_.squared_within) continue;
       if (is_found && found.squared_distance >= tip.squared_distance) continue;
       const Vector ahead = from_to(complex.vertices[tip.vertex], found.foot);
@@ -85,8 +89,9 @@ class Classifier {
       if (!graph_.is_tip(v) || !can_join(line, end, v)) continue;
       if (squared_distance(p, complex.vertices[v]) > subject_.squared_within) continue;
       if (best.valid() &&
-          squared_distance(p, complex.vertices[v]) >= squared_distance(p, complex.vertices[best]))
+          squared_distance(p, complex.vertices[v]) >= squared_distance(p, complex.vertices[best])) {
         continue;
+      }
       best = v;
     }
     return best;

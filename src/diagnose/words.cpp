@@ -44,8 +44,9 @@ std::string in_edges(const Defect& defect) {
 }
 
 std::string loose_line(const Subject& subject, const Defect& dangle, const std::string& size) {
-  if (dangle.vertices.size() == 2)
+  if (dangle.vertices.size() == 2) {
     return fmt::format("a line of length {}{} has two loose ends", size, in_edges(dangle));
+  }
   const Chain line = subject.graph.chain(dangle.vertices[0], dangle.edges[0]);
   return goes_beyond(subject, line)
              ? fmt::format("a line goes {}{} beyond the last one that it crosses", size,

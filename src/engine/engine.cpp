@@ -43,8 +43,9 @@ bool is_choice(const Parameter& parameter, const std::string& text) {
       expected = "an integer";
       break;
     case Parameter::Type::Text:
-      for (const std::string& choice : parameter.choices)
+      for (const std::string& choice : parameter.choices) {
         expected += (expected.empty() ? "" : " or ") + choice;
+      }
       break;
   }
   throw Error(ErrorCode::BadInput, "the parameter " + parameter.name + " is " + expected, {},
@@ -72,8 +73,9 @@ ParameterValue parameter_value(const Engine& engine, const std::string& name,
     const double nearest = nearest_double(number);
     if (!std::isfinite(nearest)) refuse(parameter, text);
     if (parameter.type == Parameter::Type::Number) return nearest;
-    if (number.get_den() == 1 && number.get_num().fits_slong_p())
+    if (number.get_den() == 1 && number.get_num().fits_slong_p()) {
       return std::int64_t{number.get_num().get_si()};
+    }
   } catch (const Error&) {
     // Told below, in the words of the parameter.
   }

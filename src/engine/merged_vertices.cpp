@@ -22,8 +22,9 @@ Cluster cluster(std::vector<PointD> members, const PointD& merged) {
   for (std::size_t i = 0; i < members.size(); ++i) {
     low = std::min(low, members[i].y);
     high = std::max(high, members[i].y);
-    for (std::size_t j = i + 1; j < std::min(members.size(), i + kWindow); ++j)
+    for (std::size_t j = i + 1; j < std::min(members.size(), i + kWindow); ++j) {
       result.least_distance = std::min(result.least_distance, distance(members[i], members[j]));
+    }
   }
   result.extent = std::hypot(members.back().x - members.front().x, high - low);
   return result;
@@ -43,7 +44,7 @@ const Cluster* MergedVertices::nearest_to(const PointD& p,
                                           std::span<const SegmentId> segments) const {
   const Cluster* result = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const SegmentId s : segments)
+  for (const SegmentId s : segments) {
     for (auto it =
              std::lower_bound(by_segment_.begin(), by_segment_.end(), std::pair(s, std::size_t{0}));
          it != by_segment_.end() && it->first == s; ++it) {
@@ -53,6 +54,7 @@ const Cluster* MergedVertices::nearest_to(const PointD& p,
       least = away;
       result = &candidate;
     }
+  }
   return result;
 }
 

@@ -14,8 +14,9 @@ constexpr double kHalfUnit = 0.005;
 
 std::string radius_below(double distance) {
   std::string number = fmt::format("{:.3g}", distance);
-  if (std::strtod(number.c_str(), nullptr) > distance)
+  if (std::strtod(number.c_str(), nullptr) > distance) {
     number = fmt::format("{:.3g}", distance * (1 - kHalfUnit));
+  }
   return fmt::format("a radius below {} keeps them apart", number);
 }
 

@@ -102,8 +102,9 @@ void NewFile::commit() {
   if (::fsync(file) != 0 && errno != EINVAL) fail("cannot write the file");
   file_ = -1;
   if (::close(file) != 0) fail("cannot write the file");
-  if (::rename(temporary_.c_str(), link_target(target_).c_str()) != 0)
+  if (::rename(temporary_.c_str(), link_target(target_).c_str()) != 0) {
     fail("cannot replace the file");
+  }
   temporary_.clear();
 }
 

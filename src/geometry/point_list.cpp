@@ -125,8 +125,10 @@ bool operator==(const PointList& a, const PointList& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a.is_wide(i) && b.is_wide(i)) {
       const WidePoint &p = a.wide_[i], &q = b.wide_[i];
-      if (compare_quotients(p.x, p.w, q.x, q.w) != 0 || compare_quotients(p.y, p.w, q.y, q.w) != 0)
+      if (compare_quotients(p.x, p.w, q.x, q.w) != 0 ||
+          compare_quotients(p.y, p.w, q.y, q.w) != 0) {
         return false;
+      }
     } else if (a[i] != b[i]) {
       return false;
     }

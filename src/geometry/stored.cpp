@@ -19,8 +19,9 @@ bool is_quotient(Int128 n, Int128 d, const Number& decimal) {
 std::optional<Int128> difference(Int128 a, Int128 b, Int128 c, Int128 d) {
   Int128 left = 0, right = 0, result = 0;
   if (__builtin_mul_overflow(a, b, &left) || __builtin_mul_overflow(c, d, &right) ||
-      __builtin_sub_overflow(left, right, &result))
+      __builtin_sub_overflow(left, right, &result)) {
     return {};
+  }
   return result;
 }
 
@@ -44,8 +45,9 @@ std::optional<bool> is_on_line(const WidePoint& p, std::span<const Number, 4> se
 
 bool is_at(const PointList& points, std::size_t i, const Number& x, const Number& y) {
   const WidePoint* p = points.wide(i);
-  if (p == nullptr || !x.is_decimal() || !y.is_decimal())
+  if (p == nullptr || !x.is_decimal() || !y.is_decimal()) {
     return points[i] == Point{x.rational(), y.rational()};
+  }
   return is_quotient(p->x, p->w, x) && is_quotient(p->y, p->w, y);
 }
 

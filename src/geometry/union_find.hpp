@@ -29,10 +29,11 @@ class UnionFind {
   void unite(std::size_t i, std::size_t j) {
     i = find(i);
     j = find(j);
-    if (i < j)
+    if (i < j) {
       parent_[j] = static_cast<std::uint32_t>(i);
-    else
+    } else {
       parent_[i] = static_cast<std::uint32_t>(j);
+    }
   }
 
   /// Makes the sets of i and j one, represented by the representative of i.

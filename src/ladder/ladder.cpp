@@ -67,10 +67,11 @@ class Climb {
     const auto before = counts();
     Iterator named = last;
     for (auto pair = first; pair != last; ++pair) {
-      if (pair->edge.valid())
+      if (pair->edge.valid()) {
         quotient_.lead_through(pair->edge, pair->vertex);
-      else
+      } else {
         quotient_.merge(pair->vertex, pair->other_vertex);
+      }
       if (named == last && counts() != before) named = pair;
     }
     if (counts() == before) {
@@ -96,8 +97,9 @@ class Climb {
 }  // namespace
 
 ToleranceLadder tolerance_ladder(const ExactComplex& complex, const LadderOptions& options) {
-  if (options.largest_radius && !(*options.largest_radius >= 0))
+  if (options.largest_radius && !(*options.largest_radius >= 0)) {
     throw Error(ErrorCode::BadInput, "the largest radius of a ladder is negative or not a number");
+  }
   return Climb(complex, options).run();
 }
 

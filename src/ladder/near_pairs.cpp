@@ -71,8 +71,9 @@ bool NearPairs::propose(double end, const Quotient& quotient, std::vector<Propos
   for (std::size_t i = 0; i < complex_.vertices.size(); ++i) {
     const VertexId v(i);
     tree_.visit(v, v, most, quotient.cluster(v), [&](VertexId w, double distance) {
-      if (v < w && distance >= least)
+      if (v < w && distance >= least) {
         proposals.push_back({distance, v, static_cast<std::uint32_t>(w), false});
+      }
     });
     if (proposals.size() > kMostProposals) return false;
   }
@@ -82,8 +83,9 @@ bool NearPairs::propose(double end, const Quotient& quotient, std::vector<Propos
     const double length = tree_.above(tree_.length(complex_.edges[e].tail, complex_.edges[e].head));
     if (length < least) continue;
     for_vertices_along(e, std::min(most, tree_.above(length)), [&](VertexId v, double distance) {
-      if (distance >= least)
+      if (distance >= least) {
         proposals.push_back({distance, v, static_cast<std::uint32_t>(e), true});
+      }
     });
     if (proposals.size() > kMostProposals) return false;
   }
@@ -131,8 +133,9 @@ std::optional<std::vector<NearPair>> NearPairs::next(double end, std::size_t cou
                                                      const Quotient& quotient) {
   std::vector<std::uint32_t> labels;
   labels.reserve(complex_.vertices.size());
-  for (std::size_t v = 0; v < complex_.vertices.size(); ++v)
+  for (std::size_t v = 0; v < complex_.vertices.size(); ++v) {
     labels.push_back(quotient.cluster(VertexId(v)));
+  }
   tree_.set_labels(labels);
   std::vector<Proposal> proposals;
   for (bool is_whole = false; !is_whole;) {

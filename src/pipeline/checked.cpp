@@ -47,8 +47,9 @@ Engine engine_for(Engine engine, const Drawing& drawing, const Parameters& param
 }
 
 Engine inters_with_svg2lines(const Drawing& drawing) {
-  if (drawing.unit_square)
+  if (drawing.unit_square) {
     throw Error(ErrorCode::BadInput, "svg2lines is told of the drawing as it is in the file");
+  }
   if (drawing.file.extension() != ".svg") {
     throw Error(ErrorCode::BadInput, "svg2lines reads .svg files", {drawing.file.string(), 0, 0});
   }

@@ -140,8 +140,9 @@ class CsvReader {
     std::array<Number, kRowNumbers> values;
     for (std::size_t i = 0; i < kRowNumbers; ++i) {
       const std::string_view text = text_of((*columns_.numbers)[i]);
-      if (text.empty())
+      if (text.empty()) {
         throw Unusable{"row without a value for one of " + std::string(kNumberNames), {}};
+      }
       try {
         values[i] = numbers_.parse(text);
       } catch (const Unusable& problem) {

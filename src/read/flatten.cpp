@@ -105,8 +105,9 @@ std::string bound_text(double bound) {
     return nearest_double(parse_decimal(fmt::format("{:.1e}", value)));
   };
   double rounded = two_digits(bound);
-  if (rounded < bound)
+  if (rounded < bound) {
     rounded = two_digits(bound + std::pow(10, std::floor(std::log10(bound)) - 1));
+  }
   return shortest_text(rounded);
 }
 

@@ -121,8 +121,9 @@ class GeoJsonReader {
     if (member_ == kType) return set_type(kind, text);
     if (member_ == kId && has_text(kind)) feature_id_ = text;
     if (member_ == kGeometry) refuse_geometry(kind, text);
-    if (member_ == kCoordinates)
+    if (member_ == kCoordinates) {
       coordinates_.refuse("coordinates are not an array", std::string(text.substr(0, 100)));
+    }
     if (member_ == kFeatures || member_ == kGeometries) fail("not an array");
   }
 
@@ -210,8 +211,9 @@ class GeoJsonReader {
 
   static bool is_misplaced(Member member, Slot slot) {
     if (member == kFeatures) return slot != Slot::Document;
-    if (member == kGeometry || member == kId || member == kProperties)
+    if (member == kGeometry || member == kId || member == kProperties) {
       return slot == Slot::Geometry;
+    }
     return false;
   }
 

@@ -41,8 +41,9 @@ Row parse_row(std::string_view row, Numbers& numbers) {
     row.remove_prefix(more ? field.size() + 1 : field.size());
     if (count < kRowNumbers) values[count] = numbers.parse(trimmed(field));
   }
-  if (count != kRowNumbers)
+  if (count != kRowNumbers) {
     throw Unusable{"row of " + std::to_string(count) + " values, not 4", {}};
+  }
   return values;
 }
 

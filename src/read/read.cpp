@@ -23,8 +23,9 @@ std::string content(const fs::path& file) {
     text.resize(size + kBlock);
     stream.read(text.data() + size, kBlock);
     size += static_cast<std::size_t>(stream.gcount());
-    if (size > kMaxFileSize)
+    if (size > kMaxFileSize) {
       throw Error(ErrorCode::Limit, "grows while it is read", {file.string(), 0, 0});
+    }
   }
   if (!stream.eof()) throw Error(ErrorCode::BadFile, "cannot be read", {file.string(), 0, 0});
   return text;

@@ -127,8 +127,9 @@ class StructJsonReader {
     const std::string op = string_of(item.find("op"));
     const JsonValue args = item.find("args");
     const JsonValue degrees = item.find("degrees");
-    if (op == "r" && degrees && !args)
+    if (op == "r" && degrees && !args) {
       return turned(item, rotation_by(degrees), degrees, " degrees");
+    }
     if (!args || degrees) item.fail("an operation needs \"args\", or r \"degrees\"");
     const std::vector<Rational> values = rationals_of(args, numbers_);
     if (values.empty()) args.fail("no numbers");

@@ -24,8 +24,9 @@ void read_vertices(const JsonValue& model, LarModel& result, Numbers& numbers) {
     if (is_first) result.dimension = vertex.size();
     is_first = false;
     if (vertex.size() != result.dimension) vertex.fail("points of different dimensions");
-    for (JsonValue x = vertex.first(); x; x = x.next())
+    for (JsonValue x = vertex.first(); x; x = x.next()) {
       result.coordinates.push_back(number_of(x, numbers));
+    }
   }
 }
 

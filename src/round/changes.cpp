@@ -12,8 +12,9 @@ std::vector<Merge> several(std::vector<std::pair<Into, From>> pairs) {
   std::vector<Merge> result;
   for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
     std::vector<From> list;
-    for (end = begin; end < pairs.size() && pairs[end].first == pairs[begin].first; ++end)
+    for (end = begin; end < pairs.size() && pairs[end].first == pairs[begin].first; ++end) {
       list.push_back(pairs[end].second);
+    }
     if (list.size() > 1) result.push_back({pairs[begin].first, std::move(list)});
   }
   return result;
@@ -65,8 +66,9 @@ void list_faces(const ExactComplex& complex, const Rounding& rounding, RoundingC
     origins.emplace_back(rounding.face_origin[f], f);
     is_left[rounding.face_origin[f]] = true;
   }
-  for (std::size_t f = 0; f < is_left.size(); ++f)
+  for (std::size_t f = 0; f < is_left.size(); ++f) {
     if (!is_left[f]) changes.vanished_faces.emplace_back(f);
+  }
   changes.split_faces = several<RoundingChanges::SplitFace>(std::move(origins));
 }
 

@@ -24,8 +24,9 @@ class Promises {
 
   void run() const {
     const std::vector<Violation> violations = validate(rounding_.complex);
-    if (!violations.empty())
+    if (!violations.empty()) {
       require(false, violations.front().message.c_str(), violations.front().where);
+    }
     check_vertices();
     check_edges();
     check_faces();
@@ -41,17 +42,19 @@ class Promises {
 
   void check_vertices() const {
     require(rounding_.vertex_image.size() == exact_.vertices.size(), "vertices are missing", {});
-    for (const Point& p : rounding_.complex.vertices)
+    for (const Point& p : rounding_.complex.vertices) {
       require(round_steps::is_on(grid_, p.x) && round_steps::is_on(grid_, p.y),
               "a vertex is not on the grid", p);
+    }
     std::vector<bool> is_image(rounding_.complex.vertices.size());
     for (std::size_t v = 0; v < exact_.vertices.size(); ++v) {
       const Point &from = exact_.vertices[v], &to = image(VertexId(v));
       require(is_near(from.x, to.x) && is_near(from.y, to.y), "a vertex moved too far", from);
       is_image[rounding_.vertex_image[v]] = true;
     }
-    for (std::size_t v = 0; v < is_image.size(); ++v)
+    for (std::size_t v = 0; v < is_image.size(); ++v) {
       require(is_image[v], "a vertex comes from nowhere", rounding_.complex.vertices[v]);
+    }
   }
 
   void check_edges() const {
@@ -61,9 +64,10 @@ class Promises {
       check_chain(EdgeId(e));
       for (const HalfedgeId h : rounding_.edge_image[e]) is_image[edge_of(h)] = true;
     }
-    for (std::size_t e = 0; e < is_image.size(); ++e)
+    for (std::size_t e = 0; e < is_image.size(); ++e) {
       require(is_image[e], "an edge comes from nowhere",
               rounding_.complex.vertices[rounding_.complex.edges[e].tail]);
+    }
   }
 
   /// The image joins the images of the ends; the vertices inside it are near points of the edge
@@ -104,8 +108,9 @@ class Promises {
             "a face comes from another face", {});
     if (!rounding_.has_same_incidences()) return;
     const auto is_single = [&](std::size_t e) { return rounding_.edge_image[e].size() == 1; };
-    for (std::size_t e = 0; e < exact_.edge_count(); ++e)
+    for (std::size_t e = 0; e < exact_.edge_count(); ++e) {
       require(is_single(e), "an edge is not one edge", exact_.vertices[exact_.edges[e].tail]);
+    }
     require(rounding_.complex.vertices.size() == exact_.vertices.size() &&
                 rounding_.complex.edge_count() == exact_.edge_count() &&
                 rounding_.complex.face_count() == exact_.face_count(),

@@ -118,8 +118,9 @@ void check_isolated_vertices(const Incidences& exact, const Incidences& rounded,
   }
   for (std::size_t v = 0; v < vertex_image.size(); ++v) {
     const FaceId f = face[vertex_image[v]];
-    if (f.valid() && exact.component_parent[exact.vertex_component[v]] == origin[f])
+    if (f.valid() && exact.component_parent[exact.vertex_component[v]] == origin[f]) {
       is_right[vertex_image[v]] = true;
+    }
   }
   for (const bool is : is_right) ensure(is, kContradiction);
 }

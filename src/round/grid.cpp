@@ -33,16 +33,18 @@ Rational distance_of_doubles(double value) {
 
 Rational spacing(const ExactComplex& complex, const Grid& grid) {
   if (grid.decimals) {
-    if (*grid.decimals >= 0 && *grid.decimals <= Grid::kMaxDecimals)
+    if (*grid.decimals >= 0 && *grid.decimals <= Grid::kMaxDecimals) {
       return 1 / power_of_ten(*grid.decimals);
+    }
     throw Error(
         ErrorCode::BadInput,
         "coordinates are rounded to 0 to " + std::to_string(Grid::kMaxDecimals) + " decimals", {},
         std::to_string(*grid.decimals));
   }
   double largest = 0;  // truncated, so below the next power of two just as the exact one is
-  for (const Point& p : complex.vertices)
+  for (const Point& p : complex.vertices) {
     largest = std::max({largest, std::abs(p.x.get_d()), std::abs(p.y.get_d())});
+  }
   return distance_of_doubles(largest);
 }
 

@@ -24,8 +24,9 @@ Lists<HalfedgeId> edge_images(const Incidences& rounded, const Lists<VertexId>& 
   std::vector<HalfedgeId> image;
   for (std::size_t e = 0; e < chains.size(); ++e) {
     image.clear();
-    for (std::size_t i = 1; i < chains[e].size(); ++i)
+    for (std::size_t i = 1; i < chains[e].size(); ++i) {
       image.push_back(find(rounded, chains[e][i - 1], chains[e][i]));
+    }
     images.push_back(image);
   }
   return images;

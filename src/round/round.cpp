@@ -27,8 +27,9 @@ bool is_valid(const ExactComplex& complex) {
 std::optional<ExactComplex> moved(const ExactComplex& complex, const Places& places) {
   if (places.points.size() != complex.vertices.size()) return {};
   ExactComplex result = complex;
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     result.vertices.replace(v, places.points[places.of_vertex[v]]);
+  }
   result = canonical(std::move(result));
   if (!is_valid(result)) return {};
   return result;
@@ -36,16 +37,18 @@ std::optional<ExactComplex> moved(const ExactComplex& complex, const Places& pla
 
 Lists<VertexId> straight_chains(const ExactComplex& complex, const Places& places) {
   Lists<VertexId> chains;
-  for (const auto& [tail, head] : complex.edges)
+  for (const auto& [tail, head] : complex.edges) {
     chains.push_back(std::vector{places.of_vertex[tail], places.of_vertex[head]});
+  }
   return chains;
 }
 
 Places nearest_doubles(const ExactComplex& complex) {
   std::vector<Point> points;
   points.reserve(complex.vertices.size());
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     points.push_back(exact(complex.vertices.nearest(v)));
+  }
   return distinct(std::move(points));
 }
 
@@ -57,8 +60,9 @@ Places on_grid(const Places& centres, const Rational& spacing) {
 
 void ensure_coordinates_within_limit(const ExactComplex& complex) {
   for (const Point& p : complex.vertices) {
-    if (!is_within_limit(p))
+    if (!is_within_limit(p)) {
       throw Error(ErrorCode::Limit, "a coordinate is beyond 8.7e99", {}, to_text(p));
+    }
   }
 }
 
@@ -75,9 +79,10 @@ Rounding finished(const ExactComplex& complex, const Grid& grid, Rounding roundi
 Places nearest_points(const ExactComplex& complex, const Rational& spacing) {
   std::vector<Point> points;
   points.reserve(complex.vertices.size());
-  for (const Point& p : complex.vertices)
+  for (const Point& p : complex.vertices) {
     points.push_back(
         {nearest_integer(p.x / spacing) * spacing, nearest_integer(p.y / spacing) * spacing});
+  }
   return distinct(std::move(points));
 }
 
@@ -104,15 +109,17 @@ Rounding safely_rounded(const ExactComplex& complex, const Grid& grid,
   };
   if (!grid.decimals) {
     const Places places = nearest_doubles(complex);
-    if (std::optional<ExactComplex> rounded = moved(complex, places))
+    if (std::optional<ExactComplex> rounded = moved(complex, places)) {
       return keep(RoundingMethod::NearestDoubles, std::move(*rounded), places,
                   straight_chains(complex, places));
+    }
   }
   const HotPixels pixels(complex, result.spacing);
   const Places places = on_grid(pixels.places(), result.spacing);
-  if (std::optional<ExactComplex> rounded = moved(complex, places))
+  if (std::optional<ExactComplex> rounded = moved(complex, places)) {
     return keep(RoundingMethod::NearestPoints, std::move(*rounded), places,
                 straight_chains(complex, places));
+  }
   Snapped snap = snapped(complex, pixels, result.spacing, options);
   return keep(RoundingMethod::SnapRounded, std::move(snap.complex), places, snap.chains);
 }

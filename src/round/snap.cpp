@@ -51,8 +51,9 @@ SegmentSet drawing(const std::vector<Point>& points, const std::vector<Edge>& ed
     set.add({points[tail], points[head]}, source);
     has_edge[tail] = has_edge[head] = true;
   }
-  for (std::size_t v = 0; v < points.size(); ++v)
+  for (std::size_t v = 0; v < points.size(); ++v) {
     if (!has_edge[v]) set.add_point(points[v], source);
+  }
   return set;
 }
 

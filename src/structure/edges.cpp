@@ -172,8 +172,9 @@ ModelEdges edges(const LarModel& model) {
 }
 
 LarModel polygon_boundary(const LarModel& model) {
-  if (model.dimension != 2)
+  if (model.dimension != 2) {
     throw Error(ErrorCode::BadInput, "polygons of a model not in the plane");
+  }
   ModelEdges sides;
   const CellEdges cell_edges(model);
   for (std::uint32_t c = 0; !model.cells.empty() && c < model.cells.front().size(); ++c) {

@@ -11,16 +11,19 @@ namespace {
 
 Number rounded(const Number& value) {
   const double result = nearest_double(value);
-  if (!std::isfinite(result))
+  if (!std::isfinite(result)) {
     throw Error(ErrorCode::BadInput, "a number is beyond the largest double", {},
                 exact_text(value.rational()));
+  }
   return Number(rational_from(result));
 }
 
 Affine rounded(Affine map) {
-  for (std::size_t row = 0; row < map.dimension(); ++row)
-    for (std::size_t column = 0; column <= map.dimension(); ++column)
+  for (std::size_t row = 0; row < map.dimension(); ++row) {
+    for (std::size_t column = 0; column <= map.dimension(); ++column) {
       map(row, column) = rounded(map(row, column));
+    }
+  }
   return map;
 }
 
@@ -46,10 +49,12 @@ StructId rounded(StructId id) { return id; }
 }  // namespace
 
 Structure rounded(Structure structure) {
-  for (Struct& s : structure.structs)
-    for (Struct::Item& item : s.body)
+  for (Struct& s : structure.structs) {
+    for (Struct::Item& item : s.body) {
       item =
           std::visit([](auto& value) -> Struct::Item { return rounded(std::move(value)); }, item);
+    }
+  }
   return structure;
 }
 

@@ -32,8 +32,9 @@ inline plumbline::PointD recorded_point(const rapidjson::Value& value) {
 
 inline std::vector<plumbline::SegmentD> recorded_lines(const rapidjson::Value& value) {
   std::vector<plumbline::SegmentD> lines;
-  for (const auto& line : value.GetArray())
+  for (const auto& line : value.GetArray()) {
     lines.push_back({recorded_point(line[0]), recorded_point(line[1])});
+  }
   return lines;
 }
 
@@ -68,8 +69,9 @@ inline std::string digest(const rapidjson::Value& value) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const double number : numbers) {
     const auto bits = std::bit_cast<std::uint64_t>(number);
-    for (unsigned shift = 0; shift < 64; shift += 8)
+    for (unsigned shift = 0; shift < 64; shift += 8) {
       hash = (hash ^ ((bits >> shift) & 0xffU)) * 0x100000001b3U;
+    }
   }
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));

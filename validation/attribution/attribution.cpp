@@ -39,15 +39,17 @@ std::optional<SegmentSet> recorded_lines(const fs::path& path) {
   rapidjson::Document document;
   document.ParseStream<rapidjson::kParseFullPrecisionFlag>(stream);
   if (document.HasParseError() || !document.IsObject() || !document.HasMember("kind") ||
-      document["kind"] != "inters" || !document["input"]["lines"].IsArray())
+      document["kind"] != "inters" || !document["input"]["lines"].IsArray()) {
     return std::nullopt;
+  }
   SegmentSet set;
   set.add_file(path.filename().string());
   const auto point = [](const rapidjson::Value& p) {
     return PointD{p[0].GetDouble(), p[1].GetDouble()};
   };
-  for (const auto& line : document["input"]["lines"].GetArray())
+  for (const auto& line : document["input"]["lines"].GetArray()) {
     set.add(point(line[0]), point(line[1]), set.add_source({}));
+  }
   return set;
 }
 
@@ -85,9 +87,10 @@ void print(const char* title, const Totals& totals) {
              totals.files, totals.agreeing, totals.findings, totals.unattributed);
   fmt::print("| stage | rule | findings | confirmed | healed | inputs | the first |\n");
   fmt::print("| --- | --- | --- | --- | --- | --- | --- |\n");
-  for (const auto& [name, rule] : totals.rules)
+  for (const auto& [name, rule] : totals.rules) {
     fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", name.first, name.second, rule.findings,
                rule.confirmed, rule.healed, rule.files, rule.first_file);
+  }
 }
 
 }  // namespace
@@ -98,8 +101,9 @@ int main(int argc, char** argv) try {
     return 2;
   }
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(argv[1]))
+  for (const auto& entry : fs::directory_iterator(argv[1])) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
   std::sort(files.begin(), files.end());
   Totals of_largest, of_all, of_cells;
   for (const fs::path& file : files) {

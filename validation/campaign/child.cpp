@@ -102,8 +102,9 @@ void Child::collect(int status) {
     outcome_ = "crash (exit code " + std::to_string(WEXITSTATUS(status)) + ")";
   } else {
     std::array<char, 4096> text{};
-    for (ssize_t n = 0; (n = read(pipe_, text.data(), text.size())) > 0;)
+    for (ssize_t n = 0; (n = read(pipe_, text.data(), text.size())) > 0;) {
       outcome_.append(text.data(), static_cast<std::size_t>(n));
+    }
   }
 }
 

@@ -59,15 +59,17 @@ int determinant_sign(const Affine& map) {
 }
 
 ExactComplex mapped(ExactComplex complex, const Affine& map) {
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     complex.vertices.replace(v, apply(map, complex.vertices[v]));
+  }
   if (determinant_sign(map) < 0) complex.cycles = turned_over(complex.cycles);
   return canonical(std::move(complex));
 }
 
 ExactComplex with_vertex(ExactComplex complex, const Point& p) {
-  if (std::find(complex.vertices.begin(), complex.vertices.end(), p) != complex.vertices.end())
+  if (std::find(complex.vertices.begin(), complex.vertices.end(), p) != complex.vertices.end()) {
     return complex;
+  }
   std::size_t cut = 0;
   const auto end = [&](VertexId v) { return complex.vertices[v]; };
   while (cut < complex.edge_count() &&
@@ -106,10 +108,12 @@ ExactComplex with_copy(const ExactComplex& complex, const Affine& move, std::siz
     both.edges.push_back({VertexId(edge.tail + vertices), VertexId(edge.head + vertices)});
     both.edge_sources.push_back(shifted(complex.edge_sources[e], segments));
   }
-  for (std::size_t c = 0; c < cycles; ++c)
+  for (std::size_t c = 0; c < cycles; ++c) {
     both.cycles.push_back(shifted(complex.cycles[c], 2 * complex.edge_count()));
-  for (std::size_t f = 1; f < complex.face_count(); ++f)
+  }
+  for (std::size_t f = 1; f < complex.face_count(); ++f) {
     both.face_outer.emplace_back(complex.face_outer[f] + cycles);
+  }
   both.face_holes = joined_first(complex.face_holes, cycles);
   both.face_isolated_vertices = joined_first(complex.face_isolated_vertices, vertices);
   return canonical(std::move(both));
@@ -117,8 +121,9 @@ ExactComplex with_copy(const ExactComplex& complex, const Affine& move, std::siz
 
 ExactComplex sourced_by_itself(ExactComplex complex) {
   Lists<SegmentId> sources;
-  for (std::size_t e = 0; e < complex.edge_count(); ++e)
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     sources.push_back(std::array{SegmentId(e)});
+  }
   complex.edge_sources = std::move(sources);
   return complex;
 }

@@ -89,15 +89,17 @@ std::vector<std::vector<Row>> simpler_as_a_whole(const std::vector<Row>& all) {
   std::vector<std::vector<Row>> result;
   for (const std::size_t i : {0U, 1U}) {
     std::vector<Row> moved = all;
-    for (Row& row : moved)
+    for (Row& row : moved) {
       for (std::size_t k = i; k < row.size(); k += 2) row[k] -= all[0][i];
+    }
     result.push_back(moved);
   }
   for (const int factor : {2, 3, 7, 1000}) {
     for (const bool up : {false, true}) {
       std::vector<Row> scaled = all;
-      for (Row& row : scaled)
+      for (Row& row : scaled) {
         for (Rational& x : row) x = up ? Rational(x * factor) : Rational(x / factor);
+      }
       result.push_back(scaled);
     }
   }
@@ -106,8 +108,9 @@ std::vector<std::vector<Row>> simpler_as_a_whole(const std::vector<Row>& all) {
 
 std::size_t length(const std::vector<Row>& all) {
   std::size_t sum = 0;
-  for (const Row& row : all)
+  for (const Row& row : all) {
     for (const Rational& x : row) sum += x.get_str().size();
+  }
   return sum;
 }
 

@@ -36,8 +36,9 @@ Segment reversed(const Segment& s) { return {s.b, s.a}; }
 
 template <class T>
 void shuffle(std::vector<T>& items, Dice& dice) {
-  for (std::size_t i = items.size(); i > 1; --i)
+  for (std::size_t i = items.size(); i > 1; --i) {
     std::swap(items[i - 1], items[static_cast<std::size_t>(dice.pick(i))]);
+  }
 }
 
 Changed permuted(const SegmentSet& input, Dice& dice) {
@@ -114,8 +115,9 @@ Affine random_map(Dice& dice) {
       return map;
     default:
       do {
-        for (const std::size_t row : {0U, 1U})
+        for (const std::size_t row : {0U, 1U}) {
           for (const std::size_t column : {0U, 1U}) map(row, column) = number();
+        }
       } while (determinant_sign(map) == 0);
       return map;
   }
@@ -148,10 +150,12 @@ bool two_copies_hold(const SegmentSet& input, const ExactComplex& complex, Dice&
 bool noded_holds(const ExactComplex& complex) {
   SegmentSet edges;
   const SourceId source = edges.add_source({});
-  for (const Edge& e : complex.edges)
+  for (const Edge& e : complex.edges) {
     edges.add({complex.vertices[e.tail], complex.vertices[e.head]}, source);
-  for (const VertexId v : complex.face_isolated_vertices.flat())
+  }
+  for (const VertexId v : complex.face_isolated_vertices.flat()) {
     edges.add_point(complex.vertices[v], source);
+  }
   return arranged(edges) == sourced_by_itself(complex);
 }
 

@@ -38,9 +38,10 @@ std::string table(const Plan& plan, const Amount& amount, const Summary& summary
       "process.\n",
       all.cases, plan.families.size(), amount.first, amount.first + amount.cases - 1, plan.seed,
       commit, all.failures, summary.seconds);
-  if (all.cases < amount.cases)
+  if (all.cases < amount.cases) {
     text += fmt::format("\n**Ended early**: {} cases were asked for; `--first {}` goes on.\n",
                         amount.cases, amount.first + all.cases);
+  }
   if (summary.slow > 0) {
     text += fmt::format("\n{} cases took too long or crashed in a batch and passed alone.\n",
                         summary.slow);
@@ -48,8 +49,9 @@ std::string table(const Plan& plan, const Amount& amount, const Summary& summary
   text +=
       "\n| family | cases | segments | mean | most | failures | s | ms per case |\n"
       "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
-  for (std::size_t f = 0; f < plan.families.size(); ++f)
+  for (std::size_t f = 0; f < plan.families.size(); ++f) {
     text += row(plan.families[f], summary.families[f]);
+  }
   text += row("**all**", all);
   text += "\n| relation | cases |\n| --- | ---: |\n";
   for (const Relation relation : kRelations) {

@@ -119,8 +119,9 @@ bool is_right(const Right& right, const std::string& text) {
       std::istringstream fields(said[i].substr(inside + 8));
       Point p;
       if (!(fields >> p.x >> p.y)) return false;
-      if (!is_strictly_inside(right.complex, FaceId(static_cast<std::uint32_t>(face)), p))
+      if (!is_strictly_inside(right.complex, FaceId(static_cast<std::uint32_t>(face)), p)) {
         return false;
+      }
     }
     ++face;
   }

@@ -153,8 +153,9 @@ void move_to_another_face(Fields& fields, Random& random) {
     const Line& face = fields.item("faces", f);
     for (std::size_t i = 1; i < face.size(); ++i) {
       const bool is_list = face[i - 1] == "holes" || face[i - 1] == "isolated";
-      if (is_list && face[i] != "isolated" && face[i] != "inside")
+      if (is_list && face[i] != "isolated" && face[i] != "inside") {
         items.emplace_back(f, face[i - 1]);
+      }
     }
   }
   if (items.empty()) return;

@@ -19,8 +19,9 @@ std::vector<Edge> edges_of(Fields& fields) {
   for (std::size_t e = 0; e < fields.count("edges"); ++e) {
     const Line& line = fields.item("edges", e);
     edges.push_back({std::stoul(line[0]), std::stoul(line[1]), {}, e});
-    for (std::size_t i = 2; i < line.size(); ++i)
+    for (std::size_t i = 2; i < line.size(); ++i) {
       edges.back().segments.push_back(std::stoul(line[i]));
+    }
   }
   return edges;
 }
@@ -77,8 +78,9 @@ void put_references(Fields& fields, const std::vector<std::size_t>& vertices) {
     const auto end = std::find(face.begin(), face.end(), "inside");
     std::for_each(std::find(face.begin(), end, "isolated") + 1, end, renumber);
   }
-  for (std::size_t c = 0; c < fields.count("components"); ++c)
+  for (std::size_t c = 0; c < fields.count("components"); ++c) {
     renumber(fields.item("components", c)[0]);
+  }
 }
 
 }  // namespace

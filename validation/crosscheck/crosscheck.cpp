@@ -29,8 +29,9 @@ std::string text(const Tally& tally) {
   std::stable_sort(rows.begin(), rows.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string result;
-  for (const auto& [name, count] : rows)
+  for (const auto& [name, count] : rows) {
     result += fmt::format("{}{} {}", result.empty() ? "" : ", ", count, name);
+  }
   return result;
 }
 
@@ -41,8 +42,9 @@ std::string text(const Counts& c) {
 /// "prune 12, intersect 3": by stage in the row, by stage and rule in the totals.
 void tally(const std::vector<Finding>& findings, const std::vector<Cause>& causes, Tally& stages,
            Totals& totals) {
-  for (const Finding& finding : findings)
+  for (const Finding& finding : findings) {
     ++totals.kinds[to_text(finding.kind) + " " + to_text(finding.disagreement)];
+  }
   for (const Cause& cause : causes) {
     ++stages[cause.stage];
     ++totals.causes[cause.stage + ": " + cause.rule];
@@ -52,8 +54,9 @@ void tally(const std::vector<Finding>& findings, const std::vector<Cause>& cause
 
 std::vector<fs::path> files_below(const fs::path& directory) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(directory))
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
     if (entry.is_regular_file()) files.push_back(entry.path());
+  }
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -30,11 +30,12 @@ SegmentSet over_doubles(const SegmentSet& input) {
 std::size_t dangling_ends(const SegmentSet& input, const ExactComplex& complex) {
   std::vector<std::size_t> degree(complex.vertices.size());
   std::vector<EdgeId> edge_at(complex.vertices.size());
-  for (std::size_t e = 0; e < complex.edge_count(); ++e)
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     for (const VertexId v : {complex.edges[e].tail, complex.edges[e].head}) {
       ++degree[v];
       edge_at[v] = EdgeId(e);
     }
+  }
   std::size_t count = 0;
   for (std::size_t v = 0; v < degree.size(); ++v) {
     if (degree[v] != 1) continue;
@@ -70,8 +71,9 @@ std::string counts(const SegmentSet& input) {
   const Diagnosis result =
       diagnose(input, complex, {rational_from(kNear * diagonal(complex)), 1'000'000});
   std::size_t duplicates = 0;
-  for (const Defect& defect : result.defects)
+  for (const Defect& defect : result.defects) {
     if (defect.kind == DefectKind::Duplicate) duplicates += defect.segments.size() - 1;
+  }
   std::set<Point> ends;
   for (const Segment& segment : input.segments) {
     ends.insert(segment.a);
@@ -82,8 +84,9 @@ std::string counts(const SegmentSet& input) {
                        [&](VertexId v) { return ends.contains(complex.vertices[v]); });
   };
   std::size_t near = 0;
-  for (const Defect& defect : result.defects)
+  for (const Defect& defect : result.defects) {
     near += defect.proposed_tolerance.value_or(0) > 0 && is_at_end(defect) ? 1 : 0;
+  }
   return fmt::format(
       "{{\"segments\": {}, \"duplicates\": {}, \"overlaps\": {}, \"dangling_ends\": {}, \"near\": "
       "{}}}",
@@ -99,8 +102,9 @@ std::string kinds(const SegmentSet& input) {
   const Diagnosis result = diagnose(input, complex);
   const std::chrono::duration<double> seconds = Clock::now() - start;
   std::string text = "{";
-  for (std::size_t kind = 0; kind < kDefectKinds; ++kind)
+  for (std::size_t kind = 0; kind < kDefectKinds; ++kind) {
     text += fmt::format("\"{}\": {}, ", to_text(static_cast<DefectKind>(kind)), result.found[kind]);
+  }
   return text +
          fmt::format("\"cut short\": {}, \"seconds\": {:.3f}}}", result.cut_short, seconds.count());
 }

@@ -23,8 +23,9 @@ struct ArrangedPaths {
   }
 
   bool has_repeated_edges() const {
-    for (std::size_t e = 0; e < complex.edge_count(); ++e)
+    for (std::size_t e = 0; e < complex.edge_count(); ++e) {
       if (complex.edge_sources[e].size() > 1) return true;
+    }
     return false;
   }
   /// Per vertex, how many edges of each path that touches it end there. Requires: no repeated
@@ -48,8 +49,9 @@ struct ArrangedPaths {
 template <class Cross>
 void visit_faces(const ExactComplex& complex, Cross cross) {
   std::vector<std::vector<HalfedgeId>> into(complex.face_count());
-  for (std::size_t h = 0; h < 2 * complex.edge_count(); ++h)
+  for (std::size_t h = 0; h < 2 * complex.edge_count(); ++h) {
     into[complex.halfedge_face[twin(HalfedgeId(h))]].emplace_back(h);
+  }
   std::vector<bool> is_seen(complex.face_count());
   std::vector<FaceId> waiting{kUnbounded};
   is_seen[kUnbounded] = true;
@@ -83,18 +85,22 @@ bool is_valid_polygon(const std::vector<Path>& rings) {
   if (!std::all_of(rings.begin(), rings.end(), is_closed)) return false;
   const ArrangedPaths arranged(rings);
   if (arranged.has_repeated_edges()) return false;
-  for (const auto& degrees : arranged.degrees())
-    for (const auto& [ring, degree] : degrees)
+  for (const auto& degrees : arranged.degrees()) {
+    for (const auto& [ring, degree] : degrees) {
       if (degree != 2) return false;
+    }
+  }
   const ExactComplex& complex = arranged.complex;
   const auto inside = inside_rings(arranged, rings.size());
   std::vector<bool> is_interior;
-  for (const std::vector<bool>& in : inside)
+  for (const std::vector<bool>& in : inside) {
     is_interior.push_back(in[0] && std::count(in.begin(), in.end(), true) == 1);
+  }
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     const HalfedgeId h = halfedge(EdgeId(e), false);
-    if (is_interior[complex.halfedge_face[h]] == is_interior[complex.halfedge_face[twin(h)]])
+    if (is_interior[complex.halfedge_face[h]] == is_interior[complex.halfedge_face[twin(h)]]) {
       return false;
+    }
   }
   return std::count(is_interior.begin(), is_interior.end(), true) == 1;
 }
@@ -221,8 +227,9 @@ ClippedArea clipped_area(const SegmentSet& input, const AreaClaim& claim) {
   }
   ClippedArea result;
   const std::vector<Rational> areas = face_areas(complex);
-  for (std::size_t f = 1; f < complex.face_count(); ++f)
+  for (std::size_t f = 1; f < complex.face_count(); ++f) {
     if (is_inside[f]) result.area += areas[f];
+  }
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     const HalfedgeId h = halfedge(EdgeId(e), false);
     if (is_inside[complex.halfedge_face[h]] == is_inside[complex.halfedge_face[twin(h)]]) continue;

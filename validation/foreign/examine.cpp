@@ -33,8 +33,9 @@ void examine_complex(Row& row, const SegmentSet& input) {
   row.invariants_broken += keeps_invariants ? 0 : 1;
   const auto verdict = plumbline_checker::verify(to_lines(input), certificate(complex, input));
   row.refused += verdict.outcome == plumbline_checker::Outcome::Proved ? 0 : 1;
-  for (const campaign::Relation relation : campaign::kRelations)
+  for (const campaign::Relation relation : campaign::kRelations) {
     row.relations_broken += campaign::holds(relation, input, complex, row.cases) ? 0 : 1;
+  }
 }
 
 /// A geometry that cannot be read, such as one with NaN, has neither property.
@@ -89,8 +90,9 @@ Row examined(const std::filesystem::path& file, const std::string& name) {
   } catch (const Error& error) {
     row.error = error.what();
     // The path is that of whoever runs this.
-    if (const std::size_t at = row.error.find(file.string()); at != std::string::npos)
+    if (const std::size_t at = row.error.find(file.string()); at != std::string::npos) {
       row.error.replace(at, file.string().size(), file.filename().string());
+    }
   }
   return row;
 }

@@ -23,8 +23,9 @@ int main(int argc, char** argv) {
   }
   std::sort(files.begin(), files.end());
   std::vector<foreign::Row> rows;
-  for (const std::filesystem::path& file : files)
+  for (const std::filesystem::path& file : files) {
     rows.push_back(foreign::examined(file, file.lexically_relative(argv[1]).generic_string()));
+  }
   fmt::print("{}", foreign::table(rows));
   const bool is_right =
       std::all_of(rows.begin(), rows.end(), [](const foreign::Row& row) { return row.is_right(); });

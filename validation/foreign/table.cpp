@@ -15,15 +15,17 @@ std::string outcome(std::size_t wrong) {
 std::string shown(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
     text.insert(at, 1, '\\');
+  }
   return text;
 }
 
 std::string line(const Row& row) {
-  if (!row.error.empty())
+  if (!row.error.empty()) {
     return fmt::format("| {} | **not read**: {} | | | | | | | | | | | |\n", row.file,
                        shown(row.error));
+  }
   const std::string claims =
       row.claims == 0 ? "" : fmt::format("{}/{}", row.claims - row.contradicted.size(), row.claims);
   return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
@@ -45,8 +47,9 @@ Row sum(const std::vector<Row>& rows) {
     }
     all.contradicted.insert(all.contradicted.end(), row.contradicted.begin(),
                             row.contradicted.end());
-    for (const auto& [reason, count] : row.rejected_by_reason)
+    for (const auto& [reason, count] : row.rejected_by_reason) {
       all.rejected_by_reason[reason] += count;
+    }
     for (const auto& [operation, count] : row.unexamined) all.unexamined[operation] += count;
   }
   return all;
@@ -75,16 +78,21 @@ std::string table(const std::vector<Row>& rows) {
   text += line(all);
   text += "\n## Claims that do not hold\n\n";
   if (all.contradicted.empty()) text += "None.\n";
-  for (const Row& row : rows)
-    for (const std::string& claim : row.contradicted)
+  for (const Row& row : rows) {
+    for (const std::string& claim : row.contradicted) {
       text += fmt::format("- {}: {}\n", row.file, shown(claim));
+    }
+  }
   text += "\n## Areas that differ by a hundredth or more, as rounded corners explain\n\n";
-  for (const Row& row : rows)
-    for (const std::string& claim : row.differ_by_rounding)
+  for (const Row& row : rows) {
+    for (const std::string& claim : row.differ_by_rounding) {
       text += fmt::format("- {}: {}\n", row.file, shown(claim));
+    }
+  }
   text += "\n## Operations whose outcomes are not looked at\n\n";
-  for (const auto& [operation, count] : all.unexamined)
+  for (const auto& [operation, count] : all.unexamined) {
     text += fmt::format("- {}: {}\n", shown(operation), count);
+  }
   text += "\n## Rejected items\n\n| reason | items | in |\n| --- | ---: | --- |\n";
   for (const auto& [reason, count] : all.rejected_by_reason) {
     const auto where = std::find_if(rows.begin(), rows.end(), [&r = reason](const Row& row) {

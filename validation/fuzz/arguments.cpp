@@ -81,11 +81,12 @@ void check_command(const cli::RandomArguments& arguments) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const auto parsed = cli::parse(arguments_of({reinterpret_cast<const char*>(data), size}));
-    if (const auto* told = std::get_if<cli::Notice>(&parsed))
+    if (const auto* told = std::get_if<cli::Notice>(&parsed)) {
       check_told(told->text);
-    else
+    } else {
       std::visit([](const auto& command) { check_command(command); },
                  std::get<cli::Command>(parsed));
+    }
   } catch (const Error& error) {
     if (error.code() == ErrorCode::Internal) fail(error.what());
     check_told(error.what());

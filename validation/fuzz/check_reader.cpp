@@ -43,8 +43,9 @@ void check_text(std::string_view text, const char* what) {
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t length = character_length(rest);
     if (length == 0) fail(std::string(what) + " is not UTF-8: " + std::string(text));
-    if (static_cast<unsigned char>(rest[0]) < ' ')
+    if (static_cast<unsigned char>(rest[0]) < ' ') {
       fail(std::string(what) + " has a control character");
+    }
     rest.remove_prefix(length);
   }
 }

@@ -18,10 +18,12 @@ namespace {
 /// Well-known binary, as bytes or hexadecimal, and CSV, by their first byte.
 std::optional<files::Result> read_binary_or_csv(std::string_view text) {
   ByteStream bytes(text, {"fuzz", 1, 1});
-  if (text.starts_with('\0') || text.starts_with('\1') || text.starts_with('0'))
+  if (text.starts_with('\0') || text.starts_with('\1') || text.starts_with('0')) {
     return files::read_features(bytes, read_wkb);
-  if (text.starts_with('w') || text.starts_with('x') || text.starts_with('"'))
+  }
+  if (text.starts_with('w') || text.starts_with('x') || text.starts_with('"')) {
     return files::read_features(bytes, read_csv);
+  }
   return std::nullopt;
 }
 
@@ -30,8 +32,9 @@ files::Result read(std::string_view text) {
   const std::size_t start = text.find_first_not_of(" \r\n\t");
   if (start == std::string_view::npos) return files::read_wkt(text, "fuzz");
   if (text[start] != '{' && text[start] != '[') return files::read_wkt(text, "fuzz");
-  if (text.find("\"exact\"") != std::string_view::npos)
+  if (text.find("\"exact\"") != std::string_view::npos) {
     return files::read_arrangement(text, "fuzz");
+  }
   if (text.find("\"type\"") != std::string_view::npos) return files::read_geojson(text, "fuzz");
   return files::read_lar(text, "fuzz");
 }

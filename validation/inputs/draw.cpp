@@ -50,8 +50,9 @@ Rational Draw::power_of_ten(int exponent) {
 }
 
 void Draw::add_ring(const std::vector<Point>& corners) {
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  for (std::size_t i = 0; i < corners.size(); ++i) {
     add(corners[i], corners[(i + 1) % corners.size()]);
+  }
 }
 
 Point Draw::any_point() {

@@ -227,8 +227,9 @@ const std::vector<Maker>& makers() {
 }
 
 const Maker& maker_of(const std::string& family) {
-  for (const Maker& maker : makers())
+  for (const Maker& maker : makers()) {
     if (maker.family == family) return maker;
+  }
   throw std::out_of_range("no family of random segments: " + family);
 }
 

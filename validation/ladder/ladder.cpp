@@ -51,10 +51,12 @@ Numbers numbers(const FloatComplex& complex) {
 /// The edges of the complex, and its isolated vertices.
 SegmentSet edges_of(const ExactComplex& complex) {
   SegmentSet set;
-  for (const Edge& e : complex.edges)
+  for (const Edge& e : complex.edges) {
     set.add({complex.vertices[e.tail], complex.vertices[e.head]}, SourceId{});
-  for (const VertexId v : complex.face_isolated_vertices.flat())
+  }
+  for (const VertexId v : complex.face_isolated_vertices.flat()) {
     set.add_point(complex.vertices[v], SourceId{});
+  }
   return set;
 }
 
@@ -76,9 +78,10 @@ struct Tally {
     arrangement += on_edges == expected ? 1 : 0;
     first_round += first_round_of(run) == expected ? 1 : 0;
     result += numbers(run.complex) == expected ? 1 : 0;
-    if (!(on_edges == expected) && first_difference.empty())
+    if (!(on_edges == expected) && first_difference.empty()) {
       first_difference =
           fmt::format("{:.6g}: {}, not {}", radius, on_edges.text(), expected.text());
+    }
   }
 };
 
@@ -94,8 +97,9 @@ std::string row(const std::filesystem::path& file, std::size_t steps) {
   double last = 0;
   for (const LadderStep& step : ladder.steps) {
     const double radius = nearest_sqrt(step.squared_radius);
-    if (radius > last * kApart)
+    if (radius > last * kApart) {
       tally.add(last == 0 ? radius / 2 : std::sqrt(last * radius), expected, edges, input);
+    }
     expected = {step.vertices, step.edges, step.faces};
     last = radius;
   }

@@ -90,8 +90,9 @@ int main(int argc, char** argv) try {
     if (right.vertices.size() > kMostVertices) continue;
     campaign.test(fmt::format("family \"{}\", seed {}", family, seed), right, seed);
   }
-  for (int i = 3; i < argc; ++i)
+  for (int i = 3; i < argc; ++i) {
     campaign.test(argv[i], arrange(evaluate(read(argv[i]))), static_cast<unsigned>(first));
+  }
   return campaign.report() ? 0 : 1;
 } catch (const Error& error) {
   std::cerr << error.what() << '\n';

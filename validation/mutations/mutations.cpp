@@ -27,9 +27,10 @@ constexpr std::size_t kMostListed = 12;
 
 std::string listed(const std::vector<Finding>& findings) {
   std::string text;
-  for (const Finding& f : std::span(findings).first(std::min(findings.size(), kMostListed)))
+  for (const Finding& f : std::span(findings).first(std::min(findings.size(), kMostListed))) {
     text += "  " + to_text(Name{f.kind, f.disagreement, f.invariant}) + " at " + to_text(f.where) +
             ": " + f.message + '\n';
+  }
   return text;
 }
 
@@ -38,8 +39,9 @@ std::string listed(const std::vector<Finding>& findings) {
 Name broken(Invariant invariant) { return {CellKind::Complex, Disagreement::Invalid, invariant}; }
 
 std::string to_text(const Name& name) {
-  if (name.disagreement == Disagreement::Invalid)
+  if (name.disagreement == Disagreement::Invalid) {
     return "invalid " + (name.invariant ? to_text(*name.invariant) : "");
+  }
   return to_text(name.kind) + ' ' + to_text(name.disagreement);
 }
 
@@ -71,16 +73,18 @@ std::string false_alarm(const ExactComplex& right) {
   const FloatComplex rounded = nearest(right);
   if (!validate(exact(rounded)).empty()) return {};  // not a right result
   double largest = 0;
-  for (const PointD& p : rounded.vertices)
+  for (const PointD& p : rounded.vertices) {
     largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  }
   const Comparison doubles = compare(right, rounded, 0x1p-52 * largest);
   return doubles.agree() ? std::string() : "its nearest doubles:\n" + listed(doubles.findings);
 }
 
 std::vector<Mutation> all() {
   std::vector<Mutation> result;
-  for (const auto* list : {&of_drawings(), &of_places(), &of_incidences(), &of_cells()})
+  for (const auto* list : {&of_drawings(), &of_places(), &of_incidences(), &of_cells()}) {
     result.insert(result.end(), list->begin(), list->end());
+  }
   return result;
 }
 

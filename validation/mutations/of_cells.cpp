@@ -74,8 +74,9 @@ std::optional<Broken> cross_edges(Right& right) {
 
 std::vector<HalfedgeId> leaving(const Right& right, VertexId v) {
   std::vector<HalfedgeId> result;
-  for (std::size_t h = 0; h < 2 * right->edge_count(); ++h)
+  for (std::size_t h = 0; h < 2 * right->edge_count(); ++h) {
     if (right->origin(HalfedgeId(h)) == v) result.emplace_back(h);
+  }
   return result;
 }
 
@@ -83,8 +84,9 @@ std::vector<HalfedgeId> leaving(const Right& right, VertexId v) {
 HalfedgeId opposite(const Right& right, VertexId v, HalfedgeId h) {
   for (const HalfedgeId g : leaving(right, v)) {
     if (edge_of(g) != edge_of(h) && orientation(right.point(right->target(h)), right.point(v),
-                                                right.point(right->target(g))) == 0)
+                                                right.point(right->target(g))) == 0) {
       return g;
+    }
   }
   return {};
 }
@@ -104,9 +106,11 @@ void drop_edges(Parts& parts, const std::vector<bool>& is_gone) {
   std::vector<bool> is_dropped(parts.cycles.size());
   for (std::size_t c = 0; c < parts.cycles.size(); ++c) {
     std::vector<HalfedgeId> walk;
-    for (const HalfedgeId h : parts.cycles[c])
-      if (renumbered[edge_of(h)].valid())
+    for (const HalfedgeId h : parts.cycles[c]) {
+      if (renumbered[edge_of(h)].valid()) {
         walk.push_back(halfedge(renumbered[edge_of(h)], is_reversed(h)));
+      }
+    }
     parts.cycles[c] = walk;
     is_dropped[c] = walk.empty();
   }
@@ -118,8 +122,9 @@ void drop_vertex(Parts& parts, VertexId v) {
   const auto lower = [&](VertexId w) { return VertexId(w - (w > v ? 1U : 0U)); };
   parts.vertices.erase(parts.vertices.begin() + static_cast<std::ptrdiff_t>(v));
   for (Edge& e : parts.edges) e = {lower(e.tail), lower(e.head)};
-  for (auto& list : parts.isolated)
+  for (auto& list : parts.isolated) {
     for (VertexId& w : list) w = lower(w);
+  }
 }
 
 /// Two lines that cross without a vertex.

@@ -14,8 +14,9 @@ constexpr Name kEdgeExtra{CellKind::Edge, Disagreement::Extra};
 
 std::vector<Point> corners(const Right& right, FaceId f) {
   std::vector<Point> result;
-  for (const HalfedgeId h : right->cycles[right->face_outer[f]])
+  for (const HalfedgeId h : right->cycles[right->face_outer[f]]) {
     result.push_back(right.point(right->origin(h)));
+  }
   return result;
 }
 
@@ -23,8 +24,9 @@ ExactComplex without(const Right& right, EdgeId e, bool keeps_ends) {
   Drawing drawing(*right);
   drawing.segments.erase(drawing.segments.begin() + static_cast<std::ptrdiff_t>(e));
   drawing.sources.erase(drawing.sources.begin() + static_cast<std::ptrdiff_t>(e));
-  if (keeps_ends)
+  if (keeps_ends) {
     for (const Point& p : ends(right, e)) drawing.points.push_back(p);
+  }
   return drawing.arranged();
 }
 
@@ -49,8 +51,9 @@ std::optional<Broken> merge_faces(Right& right) {
   // from a hole.
   if (right->parent(f) == right->parent(g)) {
     result.names.push_back({CellKind::Face, Disagreement::Merged});
-    for (const FaceId face : {f, g})
+    for (const FaceId face : {f, g}) {
       for (const Point& p : corners(right, face)) result.places.push_back(p);
+    }
   }
   return result;
 }
@@ -132,16 +135,18 @@ std::optional<Broken> add_antenna(Right& right) {
   ExactComplex complex = drawing.arranged();
   // Along an edge it would only cut the edge.
   if (complex.edge_count() != right->edge_count() + 1 ||
-      complex.component_count() != right->component_count())
+      complex.component_count() != right->component_count()) {
     return {};
+  }
   const Drawing arranged(complex);
   const auto is_there = [&](const Segment& s) {
     return (s.a == p && s.b == tip) || (s.a == tip && s.b == p);
   };
   const bool lies_on_edge =
       right.edge([&](EdgeId e) { return on_segment(right.tail(e), right.head(e), tip); }).valid();
-  if (lies_on_edge || std::none_of(arranged.segments.begin(), arranged.segments.end(), is_there))
+  if (lies_on_edge || std::none_of(arranged.segments.begin(), arranged.segments.end(), is_there)) {
     return {};
+  }
   return Broken{std::move(complex), 0, {kVertexExtra, kEdgeExtra}, {p, tip}};
 }
 
@@ -161,8 +166,9 @@ std::optional<Broken> cut_corner(Right& right) {
   if (!v.valid()) return {};
   Drawing drawing(*right);
   for (std::size_t i = drawing.segments.size(); i-- > 0;) {
-    if (drawing.segments[i].a != right.point(v) && drawing.segments[i].b != right.point(v))
+    if (drawing.segments[i].a != right.point(v) && drawing.segments[i].b != right.point(v)) {
       continue;
+    }
     drawing.segments.erase(drawing.segments.begin() + static_cast<std::ptrdiff_t>(i));
     drawing.sources.erase(drawing.sources.begin() + static_cast<std::ptrdiff_t>(i));
   }
@@ -246,8 +252,9 @@ std::optional<Broken> collapse_edge(Right& right) {
   Broken result{drawing.arranged(), 0, {{CellKind::Vertex, Disagreement::Merged}}, {from, to}};
   result.tolerance = nearest_sqrt(features.squared_vertex_vertex) * 1.001;
   if (result.complex.vertices.size() + 1 != right->vertices.size()) return {};
-  if (result.complex.edge_count() + 1 < right->edge_count())
+  if (result.complex.edge_count() + 1 < right->edge_count()) {
     return {};  // a triangle: its edges became one as well
+  }
   return result;
 }
 

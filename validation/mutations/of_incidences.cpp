@@ -219,12 +219,16 @@ std::optional<Broken> exchange_holes(Right& right) {
       return right->vertex_component[right->origin(cycle.front())];
     };
     if (!f.valid() || i == f) return false;
-    for (const CycleId hole : right->face_holes[f])
-      if (right->vertex_component[right->origin(right->cycles[hole].front())] == component(i))
+    for (const CycleId hole : right->face_holes[f]) {
+      if (right->vertex_component[right->origin(right->cycles[hole].front())] == component(i)) {
         return false;
-    for (const CycleId hole : right->face_holes[i])
-      if (right->vertex_component[right->origin(right->cycles[hole].front())] == component(f))
+      }
+    }
+    for (const CycleId hole : right->face_holes[i]) {
+      if (right->vertex_component[right->origin(right->cycles[hole].front())] == component(f)) {
         return false;
+      }
+    }
     return true;
   });
   if (!g.valid()) return {};
@@ -248,8 +252,9 @@ std::optional<Broken> turn_wrongly(Right& right) {
     for (std::size_t i = 0; i < cycle.size(); ++i) next[cycle[i]] = cycle[(i + 1) % cycle.size()];
   }
   std::vector<HalfedgeId> arriving;
-  for (std::size_t h = 0; h < next.size(); ++h)
+  for (std::size_t h = 0; h < next.size(); ++h) {
     if (right->target(HalfedgeId(h)) == v) arriving.emplace_back(h);
+  }
   std::swap(next[arriving[0]], next[arriving[1]]);
   Parts parts(*right);
   parts.cycles.clear();

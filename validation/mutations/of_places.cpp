@@ -116,8 +116,9 @@ std::optional<Broken> scale(Right& right) {
   const auto off = [&](const Point& p) {
     return squared_distance(p, {factor * p.x, factor * p.y});
   };
-  for (const Point& p : right->vertices)
+  for (const Point& p : right->vertices) {
     if (off(p) >= right.small() * right.small()) return {};
+  }
   result.names = {kMoved};
   return result;
 }
@@ -136,8 +137,9 @@ std::optional<Broken> shift(Right& right) {
 std::optional<Broken> mirror(Right& right) {
   if (right->cycles.size() < 2 || right->face_count() < 2) return {};
   Broken result = with_all(right, [](const Point& p) { return Point{-p.x, p.y}; });
-  for (std::size_t v = 0; v < right->vertices.size(); ++v)
+  for (std::size_t v = 0; v < right->vertices.size(); ++v) {
     result.places.push_back({-right.point(VertexId(v)).x, right.point(VertexId(v)).y});
+  }
   result.names = {broken(Invariant::Orientation)};
   return result;
 }

@@ -10,8 +10,9 @@ namespace {
 template <class T>
 std::vector<std::vector<T>> unpacked(const Lists<T>& lists) {
   std::vector<std::vector<T>> result;
-  for (std::size_t i = 0; i < lists.size(); ++i)
+  for (std::size_t i = 0; i < lists.size(); ++i) {
     result.emplace_back(lists[i].begin(), lists[i].end());
+  }
   return result;
 }
 
@@ -71,17 +72,20 @@ void Parts::drop_cycles(const std::vector<bool>& is_dropped) {
       }
     }
     std::vector<CycleId> left;
-    for (const CycleId hole : holes[f])
+    for (const CycleId hole : holes[f]) {
       if (renumbered[hole].valid()) left.push_back(renumbered[hole]);
+    }
     holes[f] = left;
   }
 }
 
 Drawing::Drawing(const ExactComplex& complex) : sources(unpacked(complex.edge_sources)) {
-  for (const Edge& e : complex.edges)
+  for (const Edge& e : complex.edges) {
     segments.push_back({complex.vertices[e.tail], complex.vertices[e.head]});
-  for (const VertexId v : complex.face_isolated_vertices.flat())
+  }
+  for (const VertexId v : complex.face_isolated_vertices.flat()) {
     points.push_back(complex.vertices[v]);
+  }
 }
 
 void Drawing::add(const Point& a, const Point& b) {

@@ -55,8 +55,9 @@ class Right {
   template <class Id, class Condition>
   Id any(std::size_t count, Condition condition) {
     std::vector<Id> fitting;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
       if (condition(Id(i))) fitting.push_back(Id(i));
+    }
     return fitting.empty() ? Id() : fitting[below(fitting.size())];
   }
   template <class Condition>

@@ -38,9 +38,11 @@ double seconds_since(std::clock_t start) {
 
 std::vector<fs::path> drawings(const fs::path& directory) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(directory))
-    if (entry.is_regular_file() && kEndings.count(entry.path().extension().string()) != 0)
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    if (entry.is_regular_file() && kEndings.count(entry.path().extension().string()) != 0) {
       files.push_back(entry.path());
+    }
+  }
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -56,8 +58,9 @@ std::string cell(const ExactComplex& complex, const Grid& grid, double arrange_s
   const std::clock_t start = std::clock();
   const Rounding rounding = safely_rounded(complex, grid, {1, {}});
   const double ratio = seconds_since(start) / arrange_seconds;
-  if (complex.vertices.size() >= kTimedVertices)
+  if (complex.vertices.size() >= kTimedVertices) {
     (rounding.has_same_incidences() ? total.kept_ratios : total.snapped_ratios).push_back(ratio);
+  }
   const RoundingChanges c = changes(complex, rounding);
   const double movement = relative(c.largest_squared_movement(), rounding);
   total.largest_movement = std::max(total.largest_movement, movement);

@@ -99,8 +99,9 @@ void for_hits(const Meetings& found, MeetingId first, Visit visit) {
 inline Grouped<Hit> collect_hits(std::size_t line_count, const std::vector<Meetings>& found,
                                  Job& job) {
   std::vector<MeetingId> first;
-  for (const Meetings& block : found)
+  for (const Meetings& block : found) {
     first.push_back(static_cast<MeetingId>(block.crossings.size()));
+  }
   accumulate(first);
   if (first.back() + 2 * line_count > kMostItems) throw_too_many();
   for (MeetingId& m : first) m += static_cast<MeetingId>(2 * line_count);

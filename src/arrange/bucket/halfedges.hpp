@@ -72,8 +72,9 @@ inline void collect_around(const Chains& chains, const std::vector<Crossing>& cr
             slots[role + 2] = halfedge(EdgeId(first + i - 1), true);
             continue;
           }
-          if (i + 1 < chain.size())
+          if (i + 1 < chain.size()) {
             slots[job.increment(filled[v])] = halfedge(EdgeId(first + i), false);
+          }
           if (i > 0) slots[job.increment(filled[v])] = halfedge(EdgeId(first + i - 1), true);
         }
       },

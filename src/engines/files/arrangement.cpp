@@ -50,8 +50,9 @@ CycleId add_cycle(ExactComplex& c, const JsonValue& list) {
 
 void add_outer(ExactComplex& c, const JsonValue& outer) {
   const bool is_unbounded = c.face_outer.empty();
-  if (is_unbounded != outer.is(JsonType::Null))
+  if (is_unbounded != outer.is(JsonType::Null)) {
     outer.fail("face 0, and no other, is without outer boundary");
+  }
   c.face_outer.push_back(is_unbounded ? CycleId() : add_cycle(c, outer));
 }
 
@@ -62,13 +63,15 @@ void add_face(ExactComplex& c, const JsonValue& face) {
   add_outer(c, outer);
   std::vector<CycleId> holes;
   const JsonValue hole_list = member(face, "holes", JsonType::Array);
-  for (JsonValue hole = hole_list.first(); hole; hole = hole.next())
+  for (JsonValue hole = hole_list.first(); hole; hole = hole.next()) {
     holes.push_back(add_cycle(c, hole));
+  }
   c.face_holes.push_back(holes);
   std::vector<VertexId> isolated;
   const JsonValue vertex_list = member(face, "isolated_vertices", JsonType::Array);
-  for (JsonValue v = vertex_list.first(); v; v = v.next())
+  for (JsonValue v = vertex_list.first(); v; v = v.next()) {
     isolated.push_back(index<VertexId>(v, c.vertices.size(), "vertex"));
+  }
   c.face_isolated_vertices.push_back(isolated);
 }
 
@@ -84,9 +87,10 @@ void add_cells(ExactComplex& c, const JsonValue& root) {
   const JsonValue vertices = member(root, "vertices", JsonType::Array);
   const JsonValue edges = member(root, "edges", JsonType::Array);
   const JsonValue faces = member(root, "faces", JsonType::Array);
-  for (JsonValue v = vertices.first(); v; v = v.next())
+  for (JsonValue v = vertices.first(); v; v = v.next()) {
     c.vertices.push_back(
         point(member(expect(v, JsonType::Object, "a vertex"), "exact", JsonType::Array)));
+  }
   for (JsonValue e = edges.first(); e; e = e.next()) {
     expect(e, JsonType::Object, "an edge");
     add_edge(c, member(e, "tail", JsonType::Number), member(e, "head", JsonType::Number));
@@ -99,8 +103,9 @@ void add_cells(ExactComplex& c, const JsonValue& root) {
 std::vector<std::vector<VertexId>> isolated_vertices(const ExactComplex& c, const JsonValue& rows) {
   std::vector<std::vector<VertexId>> result(c.face_outer.size());
   for (JsonValue row = rows.first(); row; row = row.next()) {
-    if (expect(row, JsonType::Array, "a face and a vertex").size() != 2)
+    if (expect(row, JsonType::Array, "a face and a vertex").size() != 2) {
       row.fail("expected a face and a vertex");
+    }
     const JsonValue face = row.first();
     result[index<FaceId>(face, result.size(), "face")].push_back(
         index<VertexId>(face.next(), c.vertices.size(), "vertex"));
@@ -122,13 +127,16 @@ void add_compact_cells(ExactComplex& c, const JsonValue& root) {
     if (expect(f, JsonType::Array, "a face").size() == 0) f.fail("expected an outer boundary");
     add_outer(c, f.first());
     holes.clear();
-    for (JsonValue hole = f.first().next(); hole; hole = hole.next())
+    for (JsonValue hole = f.first().next(); hole; hole = hole.next()) {
       holes.push_back(add_cycle(c, hole));
+    }
     c.face_holes.push_back(holes);
   }
   if (c.face_outer.empty()) faces.fail("no unbounded face");
-  for (const auto& list : isolated_vertices(c, member(root, "isolated_vertices", JsonType::Array)))
+  for (const auto& list :
+       isolated_vertices(c, member(root, "isolated_vertices", JsonType::Array))) {
     c.face_isolated_vertices.push_back(list);
+  }
 }
 
 }  // namespace

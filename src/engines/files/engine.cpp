@@ -28,8 +28,9 @@ Engine engine() {
   const auto run = [](const SegmentSet& /*input*/, const Parameters& parameters,
                       std::size_t /*threads*/) {
     const auto file = parameters.find(kFile);
-    if (file == parameters.end())
+    if (file == parameters.end()) {
       throw Error(ErrorCode::BadInput, "the engine files needs its parameter file");
+    }
     return answer(read(std::get<std::string>(file->second)));
   };
   return {kName,

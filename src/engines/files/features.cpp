@@ -36,10 +36,11 @@ CellLists cells_of(const Geometries& geometries) {
   for (const Geometries::Polygon& polygon : geometries.polygons) {
     Polygon& face = cells.faces.emplace_back();
     for (const std::vector<PointD>& ring : polygon.rings) {
-      if (face.outer.empty())
+      if (face.outer.empty()) {
         face.outer = vertices.numbers(ring);
-      else
+      } else {
         face.holes.push_back(vertices.numbers(ring));
+      }
     }
   }
   for (const std::vector<PointD>& line : geometries.lines) {

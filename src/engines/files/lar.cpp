@@ -113,8 +113,9 @@ void LarResult::find_list_members(const JsonValue& root) {
     return;
   }
   bool are_pairs = true;
-  for (JsonValue cell = lists[1].first(); cell; cell = cell.next())
+  for (JsonValue cell = lists[1].first(); cell; cell = cell.next()) {
     are_pairs = are_pairs && cell.is(JsonType::Array) && cell.size() == 2;
+  }
   (are_pairs ? members_.edges : members_.faces) = lists[1];
 }
 
@@ -144,8 +145,9 @@ void LarResult::find_base() {
   const auto count = static_cast<std::int64_t>(cells_.vertices.size());
   bool has_zero = false, has_count = false;
   std::vector<JsonValue> open;
-  for (const auto& list : {members_.edges, members_.faces, members_.polygons})
+  for (const auto& list : {members_.edges, members_.faces, members_.polygons}) {
     if (list) open.push_back(*list);
+  }
   while (!open.empty()) {
     const JsonValue value = open.back();
     open.pop_back();
@@ -197,16 +199,18 @@ void LarResult::read_faces() {
       json::expect(rings, JsonType::Array, "a list of cycles");
       Polygon face;
       for (JsonValue ring = rings.first(); ring; ring = ring.next()) {
-        if (face.outer.empty())
+        if (face.outer.empty()) {
           face.outer = cell(ring);
-        else
+        } else {
           face.holes.push_back(cell(ring));
+        }
       }
       cells_.faces.push_back(std::move(face));
     }
   } else if (members_.faces) {
-    for (JsonValue list = members_.faces->first(); list; list = list.next())
+    for (JsonValue list = members_.faces->first(); list; list = list.next()) {
       cells_.faces.push_back(face_of(cell(list)));
+    }
   }
 }
 
@@ -217,8 +221,9 @@ Polygon LarResult::face_of(Cell vertices) const {
   bool is_cycle = !members_.edges;
   if (!is_cycle && !vertices.empty()) {
     is_cycle = is_joined(vertices.back(), vertices.front());
-    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
       is_cycle = is_cycle && is_joined(vertices[i], vertices[i + 1]);
+    }
   }
   auto cycles = is_cycle ? std::nullopt : cycles_among(vertices);
   if (!cycles) return {std::move(vertices)};

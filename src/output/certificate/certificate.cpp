@@ -61,8 +61,9 @@ class Text {
 void add_vertices(Text& text, const ExactComplex& complex, const SegmentSet& input) {
   const std::vector<std::string> reasons = certificate_steps::reasons(complex, input);
   text.section("vertices", complex.vertices.size());
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v)
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     text.field(complex.vertices, v).field(reasons[v]).line();
+  }
 }
 
 void add_edges(Text& text, const ExactComplex& complex, std::size_t segments) {
@@ -112,11 +113,13 @@ void add_faces(Text& text, const ExactComplex& complex) {
 
 void add_components(Text& text, const ExactComplex& complex) {
   std::vector<VertexId> least(complex.component_count());
-  for (std::size_t v = complex.vertices.size(); v-- > 0;)
+  for (std::size_t v = complex.vertices.size(); v-- > 0;) {
     least[complex.vertex_component[v]] = VertexId(v);
+  }
   text.section("components", least.size());
-  for (std::size_t c = 0; c < least.size(); ++c)
+  for (std::size_t c = 0; c < least.size(); ++c) {
     text.field(least[c]).field(complex.component_parent[c]).line();
+  }
 }
 
 }  // namespace

@@ -48,8 +48,9 @@ class Crossing {
  public:
   void add_least(SegmentId s) { least_ = std::min(least_, s); }
   void add_other(std::span<const SegmentId> sources) {
-    if (!std::binary_search(sources.begin(), sources.end(), least_))
+    if (!std::binary_search(sources.begin(), sources.end(), least_)) {
       other_ = std::min(other_, sources.front());
+    }
   }
   /// Empty where only one line passes.
   std::string name() const {
@@ -66,12 +67,14 @@ class Crossing {
 void name_crossings(const ExactComplex& complex, std::vector<std::string>& names) {
   std::vector<Crossing> crossings(complex.vertices.size());
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
-    for (const VertexId v : {complex.edges[e].tail, complex.edges[e].head})
+    for (const VertexId v : {complex.edges[e].tail, complex.edges[e].head}) {
       crossings[v].add_least(complex.edge_sources[e].front());
+    }
   }
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
-    for (const VertexId v : {complex.edges[e].tail, complex.edges[e].head})
+    for (const VertexId v : {complex.edges[e].tail, complex.edges[e].head}) {
       crossings[v].add_other(complex.edge_sources[e]);
+    }
   }
   for (std::size_t v = 0; v < names.size(); ++v) {
     if (names[v].empty()) names[v] = crossings[v].name();

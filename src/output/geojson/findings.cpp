@@ -15,8 +15,9 @@ auto text(std::string words) {
 
 std::string sources_text(const SegmentSet& input, const Finding& finding) {
   std::string words;
-  for (const SourceId source : sources_of(input, finding.segments))
+  for (const SourceId source : sources_of(input, finding.segments)) {
     words += (words.empty() ? "" : "; ") + to_text(input.sources[source], input.files);
+  }
   return words;
 }
 

@@ -28,8 +28,9 @@ auto face_row(const ExactComplex& c, FaceId f) {
 /// [face, vertex] of every isolated vertex.
 std::vector<std::array<std::size_t, 2>> isolated_rows(const ExactComplex& c) {
   std::vector<std::array<std::size_t, 2>> rows;
-  for (std::size_t f = 0; f < c.face_count(); ++f)
+  for (std::size_t f = 0; f < c.face_count(); ++f) {
     for (const VertexId v : c.face_isolated_vertices[f]) rows.push_back({f, v});
+  }
   return rows;
 }
 

@@ -36,9 +36,11 @@ std::string deflated(const std::string& bytes) {
 template <class Word>
 void PageArrays::append_planes(const std::vector<Word>& words) {
   bytes_.reserve(bytes_.size() + words.size() * sizeof(Word));
-  for (unsigned plane = 0; plane < sizeof(Word); ++plane)
-    for (const Word word : words)
+  for (unsigned plane = 0; plane < sizeof(Word); ++plane) {
+    for (const Word word : words) {
       bytes_ += static_cast<char>(static_cast<unsigned char>(word >> (plane * kBitsPerByte)));
+    }
+  }
 }
 
 void PageArrays::add(const std::string& name, std::span<const std::uint32_t> values) {
@@ -67,9 +69,10 @@ void PageArrays::add(const std::string& name, std::span<const double> values,
   entries_.push_back({name, "f64", values.size(), reference.name, reference.index_name});
   std::vector<std::uint64_t> words;
   words.reserve(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
+  for (std::size_t i = 0; i < values.size(); ++i) {
     words.push_back(std::bit_cast<std::uint64_t>(values[i]) ^
                     std::bit_cast<std::uint64_t>(reference.values[reference.index[i]]));
+  }
   append_planes(words);
 }
 
@@ -84,12 +87,14 @@ std::string base64(std::string_view bytes) {
   text.reserve((bytes.size() + 2) / kGroup * 4);
   for (std::size_t i = 0; i < bytes.size(); i += kGroup) {
     std::uint32_t group = 0;
-    for (std::size_t k = 0; k < kGroup; ++k)
+    for (std::size_t k = 0; k < kGroup; ++k) {
       group = (group << kBitsPerByte) |
               (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k <= kGroup; ++k)
+    }
+    for (std::size_t k = 0; k <= kGroup; ++k) {
       text +=
           i + k > bytes.size() ? '=' : kDigits[(group >> (kDigitBits * (kGroup - k))) & kDigitMask];
+    }
   }
   return text;
 }

@@ -116,10 +116,11 @@ class Complexes {
       arrays_.add(name + ".x", own.x, {"authored.x", first_.x, name + ".like", like});
       arrays_.add(name + ".y", own.y, {"authored.y", first_.y, name + ".like", like});
     }
-    if (static_cast<const Incidences&>(complex) == static_cast<const Incidences&>(authored_))
+    if (static_cast<const Incidences&>(complex) == static_cast<const Incidences&>(authored_)) {
       same_.push_back(name);
-    else
+    } else {
       add_incidences(arrays_, name, complex);
+    }
   }
 
   const std::vector<std::string>& same() const { return same_; }

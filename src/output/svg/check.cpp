@@ -42,15 +42,18 @@ Layout layout(const FloatComplex& exact_rounded, const FloatComplex& float_compl
 svg::Marks marks_of(const Comparison& comparison, const Incidences& complex,
                     std::vector<std::size_t> Finding::*cells) {
   svg::Marks marks;
-  for (const Finding& finding : comparison.findings)
+  for (const Finding& finding : comparison.findings) {
     for (const std::size_t cell : finding.*cells) {
       if (finding.kind == CellKind::Vertex) marks.vertices.emplace_back(cell);
       if (finding.kind == CellKind::Edge) marks.edges.emplace_back(cell);
-      if (finding.kind == CellKind::Face && finding.disagreement != Disagreement::Reshaped)
+      if (finding.kind == CellKind::Face && finding.disagreement != Disagreement::Reshaped) {
         marks.faces.emplace_back(cell);
-      if (finding.kind == CellKind::Hole)
+      }
+      if (finding.kind == CellKind::Hole) {
         for (const HalfedgeId h : complex.cycles[cell]) marks.edges.push_back(edge_of(h));
+      }
     }
+  }
   const auto make_unique = [](auto& ids) {
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -66,9 +69,11 @@ std::string drawn_panel(const svg::Box& box, const Layout& where, const FloatCom
   const Comparison& comparison = check.comparison;
   const svg::Frame frame = sheet::frame(where.content, box, check.input.y_up);
   std::vector<FindingPlace> places;
-  for (std::size_t i = 0; i < comparison.findings.size(); ++i)
-    if (comparison.findings[i].kind != CellKind::Complex)
+  for (std::size_t i = 0; i < comparison.findings.size(); ++i) {
+    if (comparison.findings[i].kind != CellKind::Complex) {
       places.push_back({frame(nearest(comparison.findings[i].where)), i + 1});
+    }
+  }
   return sheet::ground(box) +
          svg::panel(complex, frame, sheet::pen(box, complex.edge_count()), marks) +
          labelled_rings(places, box);

@@ -28,8 +28,9 @@ std::vector<Group> groups(const Diagnosis& diagnosis) {
   std::vector<Group> result;
   const std::vector<Defect>& defects = diagnosis.defects;
   for (std::size_t i = 0; i < defects.size(); ++i) {
-    if (result.empty() || result.back().kind != defects[i].kind)
+    if (result.empty() || result.back().kind != defects[i].kind) {
       result.push_back({defects[i].kind, i, i});
+    }
     result.back().end = i + 1;
   }
   return result;
@@ -61,12 +62,13 @@ bool is_made_of_edges(DefectKind kind) {
 std::string marked_edges(const Base& base, const Diagnosis& diagnosis, const Group& group) {
   if (!is_made_of_edges(group.kind)) return {};
   std::string path;
-  for (std::size_t i = group.begin; i < group.end; ++i)
+  for (std::size_t i = group.begin; i < group.end; ++i) {
     for (const EdgeId e : diagnosis.defects[i].edges) {
       const Edge& edge = base.complex.edges[e];
       path += 'M' + svg::coordinates(base.frame(base.complex.vertices[edge.tail])) + 'L' +
               svg::coordinates(base.frame(base.complex.vertices[edge.head]));
     }
+  }
   return fmt::format(
       "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" "
       "d=\"{}\"/>\n",
@@ -82,8 +84,9 @@ std::string title(const Diagnosis& diagnosis, const Group& group) {
 std::string panel(const Base& base, const Diagnosis& diagnosis, const Group& group,
                   const PointD& place) {
   std::vector<FindingPlace> places;
-  for (std::size_t i = group.begin; i < group.end; ++i)
+  for (std::size_t i = group.begin; i < group.end; ++i) {
     places.push_back({base.frame(nearest(diagnosis.defects[i].where)), i + 1});
+  }
   return fmt::format("<g transform=\"translate({} {})\">\n<use href=\"#drawing\"/>\n", place.x,
                      place.y) +
          marked_edges(base, diagnosis, group) + labelled_rings(places, base.panel) +
@@ -122,9 +125,10 @@ std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
               {sheet::kMargin + static_cast<double>(column) * (sheet::kPanelWidth + sheet::kMargin),
                kDiagnosisHeader + kTitle + static_cast<double>(row) * row_height});
   }
-  if (kinds.empty())
+  if (kinds.empty()) {
     svg += fmt::format("<use href=\"#drawing\" x=\"{}\" y=\"{}\"/>\n", sheet::kMargin,
                        kDiagnosisHeader + kTitle);
+  }
   return svg + "</svg>\n";
 }
 

@@ -36,8 +36,9 @@ Rings rings_of(const std::vector<FindingPlace>& places) {
 
 std::string label_text(const std::vector<std::size_t>& numbers) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(numbers.size(), kMaxOnLabel); ++i)
+  for (std::size_t i = 0; i < std::min(numbers.size(), kMaxOnLabel); ++i) {
     text += fmt::format("{}{}", i == 0 ? "" : ", ", numbers[i]);
+  }
   return numbers.size() > kMaxOnLabel ? text + ", \u2026" : text;
 }
 
@@ -61,8 +62,9 @@ class Space {
   /// Takes the box unless it leaves the panel or a part of it is taken.
   bool take(const svg::Box& box) {
     if (box.low.x < panel_.low.x || box.high.x > panel_.high.x || box.low.y < panel_.low.y ||
-        box.high.y > panel_.high.y)
+        box.high.y > panel_.high.y) {
       return false;
+    }
     const auto squares = squares_of(box);
     const auto is_taken = [&](const auto& square) { return taken_.contains(square); };
     if (std::any_of(squares.begin(), squares.end(), is_taken)) return false;
@@ -73,9 +75,11 @@ class Space {
  private:
   static std::vector<std::pair<long, long>> squares_of(const svg::Box& box) {
     std::vector<std::pair<long, long>> squares;
-    for (long x = std::lround(box.low.x / kBucket); x <= std::lround(box.high.x / kBucket); ++x)
-      for (long y = std::lround(box.low.y / kBucket); y <= std::lround(box.high.y / kBucket); ++y)
+    for (long x = std::lround(box.low.x / kBucket); x <= std::lround(box.high.x / kBucket); ++x) {
+      for (long y = std::lround(box.low.y / kBucket); y <= std::lround(box.high.y / kBucket); ++y) {
         squares.emplace_back(x, y);
+      }
+    }
     return squares;
   }
 
@@ -111,27 +115,30 @@ std::string labelled_rings(const std::vector<FindingPlace>& places, const svg::B
   const double radius = ring_radius(rings.size());
   std::string svg = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\">\n",
                                 svg::kMark, radius / 5);
-  for (const auto& [key, ring] : rings)
+  for (const auto& [key, ring] : rings) {
     svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>\n", ring.first.x,
                        ring.first.y, radius);
+  }
   svg += fmt::format(
       "</g>\n<g fill=\"{}\" font-size=\"{}\" font-weight=\"bold\" stroke=\"#ffffff\" "
       "stroke-width=\"3\" paint-order=\"stroke\">\n",
       svg::kMark, kFontSize);
   Space space(panel);
-  for (const auto& [key, ring] : rings)
+  for (const auto& [key, ring] : rings) {
     space.reserve({{ring.first.x - radius, ring.first.y - radius},
                    {ring.first.x + radius, ring.first.y + radius}});
+  }
   for (const auto& [key, ring] : rings) {
     const std::string text = label_text(ring.second);
     const std::vector<svg::Box> boxes =
         label_boxes(ring.first, radius, static_cast<double>(text.size()) * kDigitWidth);
     const auto box = std::find_if(boxes.begin(), boxes.end(),
                                   [&](const svg::Box& candidate) { return space.take(candidate); });
-    if (box != boxes.end())
+    if (box != boxes.end()) {
       append_label(svg, *box, text);
-    else if (places.size() <= kAllNumbered)
+    } else if (places.size() <= kAllNumbered) {
       append_label(svg, boxes.front(), text);
+    }
   }
   return svg + "</g>\n";
 }

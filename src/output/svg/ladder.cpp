@@ -63,7 +63,7 @@ std::string radius_ticks(const Axis& axis) {
   std::string svg;
   const double decades = axis.high - axis.low;
   const double step = std::ceil(decades / kMostLabels);
-  for (double decade = std::floor(axis.low); decade <= axis.high; ++decade)
+  for (double decade = std::floor(axis.low); decade <= axis.high; ++decade) {
     for (const double multiple : {1.0, 2.0, 5.0}) {
       if (multiple > 1 && decades > kFewDecades) continue;
       if (multiple == 1 && std::fmod(decade, step) != 0) continue;
@@ -73,6 +73,7 @@ std::string radius_ticks(const Axis& axis) {
       svg += text(axis(at), kHeight - kBottom + 18, "middle", 12,
                   fmt::format("{:g}", multiple * std::pow(10, decade)));
     }
+  }
   return svg;
 }
 
@@ -80,8 +81,9 @@ std::string radius_ticks(const Axis& axis) {
 double tick_distance(double range) {
   constexpr double kTicks = 4;
   const double power = std::pow(10, std::floor(std::log10(std::max(range / kTicks, 1.0))));
-  for (const double multiple : {1.0, 2.0, 5.0})
+  for (const double multiple : {1.0, 2.0, 5.0}) {
     if (power * multiple * kTicks >= range) return power * multiple;
+  }
   return 10 * power;
 }
 
@@ -104,9 +106,10 @@ std::string plot(const ToleranceLadder& ladder, const Axis& axis, const char* na
   }
   svg += text(kLeft + 6, top - 6, "start", 14, name);
   svg += fmt::format("<path d=\"M{:.1f} {:.1f}", kLeft, y(static_cast<double>(before)));
-  for (const LadderStep& step : ladder.steps)
+  for (const LadderStep& step : ladder.steps) {
     svg +=
         fmt::format("H{:.1f}V{:.1f}", axis(logarithm(step)), y(static_cast<double>(step.*member)));
+  }
   svg += fmt::format("H{:.1f}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n",
                      ladder.is_complete ? kWidth - kRight : axis(axis.high), colour);
   return svg;
@@ -134,11 +137,12 @@ std::string to_svg(const ToleranceLadder& ladder, const std::optional<RightRadii
               ladder.is_complete
                   ? "tolerance ladder"
                   : fmt::format("tolerance ladder, the first {} steps", ladder.steps.size()));
-  if (radii)
+  if (radii) {
     svg += text(kWidth - kRight, 28, "end", 13,
                 radii->empty() ? "no radius tried is right for float LAR"
                                : fmt::format("green: float LAR right, {:.4g} to {:.4g}",
                                              radii->least, radii->largest));
+  }
   const auto top = [](int i) { return kTop + i * (kPlotHeight + kPlotGap); };
   svg += plot(ladder, axis, "vertices", svg::kInk, top(0), ladder.vertices, &LadderStep::vertices);
   svg += plot(ladder, axis, "edges", "#4f9bcb", top(1), ladder.edges, &LadderStep::edges);

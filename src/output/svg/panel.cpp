@@ -46,15 +46,17 @@ void append_line(std::string& path, const FloatComplex& complex, EdgeId e, const
 
 void append_edges(std::string& svg, const FloatComplex& complex, const Frame& frame, double pen) {
   std::string solid, dashed;
-  for (std::size_t e = 0; e < complex.edge_count(); ++e)
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     append_line(complex.is_antenna(EdgeId(e)) ? dashed : solid, complex, EdgeId(e), frame);
+  }
   const std::string style =
       fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"", kInk,
                   shortest_text(pen));
   if (!solid.empty()) svg += fmt::format("<path {} d=\"{}\"/>\n", style, solid);
-  if (!dashed.empty())
+  if (!dashed.empty()) {
     svg += fmt::format("<path {} stroke-dasharray=\"{}\" d=\"{}\"/>\n", style,
                        shortest_text(kDashPens * pen), dashed);
+  }
 }
 
 std::string dot(const PointD& p, double pen, const char* colour) {
@@ -88,9 +90,11 @@ std::string panel(const FloatComplex& complex, const Frame& frame, double pen, c
   append_marked_faces(svg, complex, frame, marks);
   append_edges(svg, complex, frame, pen);
   append_marked_edges(svg, complex, frame, pen, marks);
-  for (std::size_t f = 0; f < complex.face_count(); ++f)
-    for (const VertexId v : complex.face_isolated_vertices[f])
+  for (std::size_t f = 0; f < complex.face_count(); ++f) {
+    for (const VertexId v : complex.face_isolated_vertices[f]) {
       svg += dot(frame(complex.vertices[v]), pen, kInk);
+    }
+  }
   for (const VertexId v : marks.vertices) svg += dot(frame(complex.vertices[v]), pen, kMark);
   return svg;
 }

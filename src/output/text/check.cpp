@@ -113,8 +113,9 @@ void append_input(std::string& text, const SegmentSet& input) {
     text += fmt::format("  rejected {}: {}\n", line_text(to_text(item.source, input.files)),
                         line_text(item.reason));
   }
-  if (shown < input.rejected.size())
+  if (shown < input.rejected.size()) {
     text += fmt::format("  ... and {} more\n", input.rejected.size() - shown);
+  }
 }
 
 /// "3 numbers were replaced: by at most 1e-15 rad (2), 0.001 (1)".
@@ -127,17 +128,19 @@ void append_ledger(std::string& text, const std::vector<Replacement>& ledger) {
   for (const Replacement& item : ledger) {
     const auto same = [&](const auto& entry) { return entry.first == item.bound; };
     const auto it = std::find_if(bounds.begin(), bounds.end(), same);
-    if (it != bounds.end())
+    if (it != bounds.end()) {
       ++it->second;
-    else
+    } else {
       bounds.emplace_back(item.bound, 1);
+    }
   }
   text += fmt::format("exactness: {} number{} replaced, by at most", ledger.size(),
                       ledger.size() == 1 ? " was" : "s were");
   const std::size_t shown = std::min(bounds.size(), kShownBounds);
-  for (std::size_t i = 0; i < shown; ++i)
+  for (std::size_t i = 0; i < shown; ++i) {
     text +=
         fmt::format("{} {} ({})", i == 0 ? "" : ",", line_text(bounds[i].first), bounds[i].second);
+  }
   if (shown < bounds.size()) text += fmt::format(" and {} more", bounds.size() - shown);
   text += '\n';
 }
@@ -177,8 +180,9 @@ std::string to_text(const Check& check, std::size_t limit) {
   text += '\n';
   const std::size_t shown = std::min(c.findings.size(), limit);
   for (std::size_t i = 0; i < shown; ++i) append_finding(text, check, i);
-  if (shown < c.findings.size())
+  if (shown < c.findings.size()) {
     text += fmt::format("... and {} more (see -o report.json)\n", c.findings.size() - shown);
+  }
   return text + advice_text(check, kShownSteps);
 }
 

@@ -21,9 +21,10 @@ std::string at(const ExactComplex& complex, VertexId v) {
 }
 
 std::string pair_text(const ExactComplex& complex, const LadderStep& step) {
-  if (!step.edge.valid())
+  if (!step.edge.valid()) {
     return fmt::format("vertices {} and {}", at(complex, step.vertex),
                        at(complex, step.other_vertex));
+  }
   const Edge& edge = complex.edges[step.edge];
   return fmt::format("vertex {}, edge {} - {}", at(complex, step.vertex), at(complex, edge.tail),
                      at(complex, edge.head));
@@ -81,10 +82,12 @@ std::string to_text(const ToleranceLadder& ladder, const ExactComplex& complex, 
     append_row(text, short_number(nearest_sqrt(step.squared_radius)), step.vertices, step.edges,
                step.faces, pair_text(complex, step));
   }
-  if (shown < ladder.steps.size())
+  if (shown < ladder.steps.size()) {
     text += fmt::format("  ... and {} more steps\n", ladder.steps.size() - shown);
-  if (!ladder.is_complete && shown == ladder.steps.size())
+  }
+  if (!ladder.is_complete && shown == ladder.steps.size()) {
     text += "  ... and more beyond the last radius looked at\n";
+  }
   return text;
 }
 
@@ -96,11 +99,12 @@ std::string advice_text(const Check& check, std::size_t limit) {
     text += fmt::format("  nearest vertices {} apart: {} and {}\n",
                         distance_text(size->squared_vertex_vertex), at(complex, size->v),
                         at(complex, size->w));
-    if (size->edge.valid())
+    if (size->edge.valid()) {
       text += fmt::format("  nearest vertex and edge {} apart: {} and {} - {}\n",
                           distance_text(size->squared_vertex_edge), at(complex, size->vertex),
                           at(complex, complex.edges[size->edge].tail),
                           at(complex, complex.edges[size->edge].head));
+    }
   }
   if (check.right_radii) append_right_radii(text, *check.right_radii);
   return text + to_text(*check.ladder, complex, limit);

@@ -42,8 +42,9 @@ class SpaceSearch {
     references_.emplace_back();
     for (const auto& layer : drawing_.spaces[space].layers) {
       for (const auto& item : layer.items) {
-        if (const Reference* reference = std::get_if<Reference>(&item))
+        if (const Reference* reference = std::get_if<Reference>(&item)) {
           references_.back().push_back(reference);
+        }
       }
     }
   }

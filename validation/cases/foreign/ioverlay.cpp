@@ -20,8 +20,9 @@ Path path(const rapidjson::Value& value) {
   Path result;
   if (!value.IsArray()) throw Error(ErrorCode::BadInput, "a path is not a list");
   for (const rapidjson::Value& point : value.GetArray()) {
-    if (!point.IsArray() || point.Size() != 2)
+    if (!point.IsArray() || point.Size() != 2) {
       throw Error(ErrorCode::BadInput, "a point is not a pair");
+    }
     result.push_back({number(point[0]), number(point[1])});
   }
   return result;

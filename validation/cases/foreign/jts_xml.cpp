@@ -34,8 +34,9 @@ void add_geometry(SegmentSet& set, const pugi::xml_node& node, const char* name)
   const SourceId source = set.add_source({});
   // JTS reads up to the last bracket, and one file has a stray quote behind it.
   if (const std::size_t last = text.rfind(')'); last != std::string::npos) {
-    if (last + 1 < text.size())
+    if (last + 1 < text.size()) {
       set.rejected.push_back({{}, "text after a geometry", text.substr(last + 1)});
+    }
     text.resize(last + 1);
   }
   try {
@@ -84,8 +85,9 @@ std::optional<Geometry> polygons(const std::string& text) {
 double reach(const SegmentSet& set) {
   double most = 0;
   for (const Segment& s : set.segments) {
-    for (const PointD& p : {nearest(s.a), nearest(s.b)})
+    for (const PointD& p : {nearest(s.a), nearest(s.b)}) {
       most = std::max({most, std::abs(p.x), std::abs(p.y)});
+    }
   }
   return most;
 }
@@ -104,10 +106,12 @@ std::optional<AreaClaim> area_claim(const pugi::xml_node& node, const Test& test
   const auto found =
       operations.find(test.operation.substr(0, test.operation.size() - (is_new ? 2 : 0)));
   const bool is_swapped = test.first == "b" && test.second == "a";
-  if (found == operations.end() || (!is_swapped && (test.first != "a" || test.second != "b")))
+  if (found == operations.end() || (!is_swapped && (test.first != "a" || test.second != "b"))) {
     return std::nullopt;
-  if (!polygons(trimmed(node.child_value("a"))) || !polygons(trimmed(node.child_value("b"))))
+  }
+  if (!polygons(trimmed(node.child_value("a"))) || !polygons(trimmed(node.child_value("b")))) {
     return std::nullopt;
+  }
   try {
     Operation operation = found->second;
     if (is_swapped && operation == Operation::Difference) operation = Operation::ReverseDifference;

@@ -9,8 +9,9 @@ namespace plumbline::foreign {
 std::vector<Case> read_file(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   const auto ends = [&](const char* ending) { return name.ends_with(ending); };
-  if (ends(".geojson") || ends(".wkt") || ends(".wkb"))
+  if (ends(".geojson") || ends(".wkt") || ends(".wkb")) {
     return {{"", evaluate(read(file)), {}, {}, {}}};
+  }
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) {

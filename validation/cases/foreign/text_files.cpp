@@ -114,8 +114,9 @@ std::vector<Case> cdt(std::string_view text) {
   };
   const auto index = [&](std::size_t end) {
     const Rational value = next();
-    if (value.get_den() != 1 || value < 0 || value >= end)
+    if (value.get_den() != 1 || value < 0 || value >= end) {
       throw Error(ErrorCode::BadInput, "not an index", {}, value.get_str());
+    }
     return value.get_num().get_ui();
   };
   constexpr std::size_t kMost = 10'000'000;
@@ -132,8 +133,9 @@ std::vector<Case> cdt(std::string_view text) {
     const std::size_t tail = index(point_count);
     one.input.add({all[tail], all[index(point_count)]}, source);
   }
-  if (std::string rest; words >> rest)
+  if (std::string rest; words >> rest) {
     throw Error(ErrorCode::BadInput, "text after the last edge", {}, rest);
+  }
   return {one};
 }
 

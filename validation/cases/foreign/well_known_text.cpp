@@ -133,10 +133,13 @@ Rational area(const Geometry& geometry) {
 
 double perimeter(const Geometry& geometry) {
   double sum = 0;
-  for (const std::vector<Path>& rings : geometry.polygons)
-    for (const Path& ring : rings)
-      for (std::size_t i = 0; i < ring.size(); ++i)
+  for (const std::vector<Path>& rings : geometry.polygons) {
+    for (const Path& ring : rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
         sum += nearest_sqrt(squared_distance(ring[i], ring[(i + 1) % ring.size()]));
+      }
+    }
+  }
   for (const Geometry& part : geometry.parts) sum += perimeter(part);
   return sum;
 }

@@ -14,8 +14,9 @@ using lar::VertexPair;
 /// Area of the box.
 double extent(const Trace& trace, const std::vector<VertexPair>& component) {
   std::vector<PointD> points;
-  for (const VertexPair& edge : component)
+  for (const VertexPair& edge : component) {
     for (const VertexId v : edge) points.push_back(trace.lar.vertices[v]);
+  }
   const BoxD box = box_of(points);
   return box.width() * box.height();
 }
@@ -50,8 +51,9 @@ DroppedEdges::DroppedEdges(const Trace& trace, Result result, const EdgeSources&
 
 void DroppedEdges::add(const Trace& trace, const VertexPair& edge, Why why,
                        const EdgeSources& sources) {
-  for (const SegmentId s : sources.at({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])}))
+  for (const SegmentId s : sources.at({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])})) {
     by_segment_.emplace_back(s, edges_.size());
+  }
   edges_.push_back({{trace.lar.vertices[edge[0]], trace.lar.vertices[edge[1]]}, why});
 }
 
@@ -59,14 +61,16 @@ std::optional<DroppedEdges::Why> DroppedEdges::nearest_to(
     const PointD& p, std::span<const SegmentId> segments) const {
   std::optional<Why> result;
   double least = std::numeric_limits<double>::infinity();
-  for (const SegmentId s : segments)
+  for (const SegmentId s : segments) {
     for (auto it =
              std::lower_bound(by_segment_.begin(), by_segment_.end(), std::pair(s, std::size_t{0}));
-         it != by_segment_.end() && it->first == s; ++it)
+         it != by_segment_.end() && it->first == s; ++it) {
       if (const double away = distance(p, edges_[it->second].segment); away < least) {
         least = away;
         result = edges_[it->second].why;
       }
+    }
+  }
   return result;
 }
 

@@ -48,13 +48,15 @@ Answer answer(const SegmentSet& input, const Original& original, const Parameter
   answer.radius = options.radius;
   answer.failures = run->failures();
   if (original.svg) {
-    for (Explained& misread : svg_to_lines_findings(*original.svg, input))
+    for (Explained& misread : svg_to_lines_findings(*original.svg, input)) {
       answer.failures.push_back(std::move(misread));
+    }
   }
   for (const Stage stage : {Stage::Transform, Stage::Quantise, Stage::Bucket, Stage::Intersect,
                             Stage::Prune, Stage::Simplify, Stage::ComponentFilter, Stage::EdgeOrder,
-                            Stage::FaceWalk, Stage::OuterFace, Stage::Nesting})
+                            Stage::FaceWalk, Stage::OuterFace, Stage::Nesting}) {
     answer.stages.push_back(to_text(stage));
+  }
   answer.trace = [run] { return run; };
   return answer;
 }

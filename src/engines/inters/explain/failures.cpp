@@ -10,8 +10,9 @@ namespace plumbline::inters {
 namespace {
 
 std::string text(const Failure& failure) {
-  if (failure.error == "NoTermination")
+  if (failure.error == "NoTermination") {
     return fmt::format("{} runs for ever ({})", failure.function, failure.message);
+  }
   return fmt::format("{} fails with {}: {}", failure.function, failure.error, failure.message);
 }
 
@@ -110,16 +111,19 @@ std::vector<Explained> ExplainedRun::failures() const {
               "cut and merge until nothing changes, as the repaired pipeline does");
     result.push_back(std::move(walk));
   };
-  if (walk_.aborted)
+  if (walk_.aborted) {
     add(Disagreement::Missing, "the face walk stopped early: the rest of the faces is missing",
         "aborted-walk", "merging made edges cross, and the walk left its edge");
-  if (walk_.breaks_euler)
+  }
+  if (walk_.breaks_euler) {
     add(Disagreement::Invalid, "the faces that the walk found break Euler's relation", "euler",
         "merging made edges cross, so the cycles of the walk are no faces");
-  if (walk_.depends_on_order)
+  }
+  if (walk_.depends_on_order) {
     add(Disagreement::Invalid, "with other numbers of the vertices the walk finds other faces",
         "hash-order",
         "merging made edges cross, so the order of a hash table decides what faces are found");
+  }
   return result;
 }
 

@@ -23,8 +23,9 @@ int entry(Classification where) {
 
 std::vector<PointD> corners(const Trace& trace, std::size_t component) {
   std::vector<PointD> result;
-  for (const VertexId v : ring(trace.components[component]))
+  for (const VertexId v : ring(trace.components[component])) {
     result.push_back(trace.lar.vertices[v]);
+  }
   return result;
 }
 
@@ -40,8 +41,9 @@ std::optional<Fault> fault(const Trace& trace, std::size_t k, std::size_t h) {
   const auto polylines = boundary_polylines(trace.lar.vertices, trace.components[k], vcode);
   const std::vector<PointD> cycle = corners(trace, h);
   const std::vector<Position> positions = lar::classify_points(polygon, cycle);
-  for (std::size_t i = 0; i < cycle.size(); ++i)
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
     if (entry(classify(polylines, cycle[i])) == entry(positions[i])) return Fault::OneVertex;
+  }
   return Fault::Crossings;
 }
 
@@ -77,17 +79,21 @@ Lattice::Lattice(const Trace& trace, Result result, const EdgeSources& sources) 
         faults_.emplace(h, *wrong);
       }
     }
-    for (const lar::VertexPair& edge : trace.components[k])
-      for (const SegmentId s : sources.at({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])}))
+    for (const lar::VertexPair& edge : trace.components[k]) {
+      for (const SegmentId s :
+           sources.at({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])})) {
         components_of_.emplace(s, k);
+      }
+    }
   }
 }
 
 Fault Lattice::fault_at(std::span<const SegmentId> segments) const {
   for (const SegmentId s : segments) {
     const auto [begin, end] = components_of_.equal_range(s);
-    for (auto it = begin; it != end; ++it)
+    for (auto it = begin; it != end; ++it) {
       if (const auto found = faults_.find(it->second); found != faults_.end()) return found->second;
+    }
   }
   return Fault::Alternates;
 }

@@ -44,8 +44,9 @@ class Search {
         vcode_(trace.options.decimals),
         quantum_(std::pow(10, -trace.options.decimals)) {
     std::map<std::pair<PointD, PointD>, std::size_t> fragments;
-    for (std::size_t f = 0; f < trace.fragments.size(); ++f)
+    for (std::size_t f = 0; f < trace.fragments.size(); ++f) {
       fragments[{trace.fragments[f].segment.a, trace.fragments[f].segment.b}] = f;
+    }
     for (const SegmentD& line : trace.lines) {
       const auto [a, b] = vcode_.quantised(line);
       const auto found = fragments.find({a, b});
@@ -109,8 +110,9 @@ class Search {
     double best = std::abs(parameter) < std::abs(parameter - 1) ? 0 : 1;
     const auto& all = fragment.parameters;
     const auto above = std::lower_bound(all.begin(), all.end(), parameter);
-    for (auto it = above == all.begin() ? above : above - 1; it != all.end() && it <= above; ++it)
+    for (auto it = above == all.begin() ? above : above - 1; it != all.end() && it <= above; ++it) {
       if (std::abs(*it - parameter) < std::abs(best - parameter)) best = *it;
+    }
     if (std::abs(best - parameter) > reach) return std::nullopt;
     if (best == 0) return fragment.segment.a;
     if (best == 1) return fragment.segment.b;
@@ -126,18 +128,21 @@ class Search {
     const SegmentD& s = trace_.lines[h];
     const SegmentD& t = trace_.lines[k];
     // The end nearest to the other segment, if it is a junction.
-    if (std::min(std::abs(on_s), std::abs(on_s - 1)) * length(s) <= trace_.options.radius)
+    if (std::min(std::abs(on_s), std::abs(on_s - 1)) * length(s) <= trace_.options.radius) {
       return junction(h, k, std::abs(on_s) < std::abs(on_s - 1) ? s.a : s.b);
-    if (std::min(std::abs(on_t), std::abs(on_t - 1)) * length(t) <= trace_.options.radius)
+    }
+    if (std::min(std::abs(on_t), std::abs(on_t - 1)) * length(t) <= trace_.options.radius) {
       return junction(k, h, std::abs(on_t) < std::abs(on_t - 1) ? t.a : t.b);
+    }
     add(Kind::Overshoot, h, k, point_at(s, on_s), 0);
   }
 
   /// Segment h ends at segment k and was not joined to it.
   void junction(std::size_t h, std::size_t k, const PointD& end) {
     const SegmentD& t = trace_.lines[k];
-    if (orientation(exact(t.a), exact(t.b), exact(end)) == 0)
+    if (orientation(exact(t.a), exact(t.b), exact(end)) == 0) {
       return add(Kind::Overshoot, h, k, end, 0);
+    }
     const Rational squared = squared_distance(exact(end), exact(t.a), exact(t.b));
     add(Kind::NearMiss, h, k, end, std::sqrt(nearest_double(squared)));
   }
@@ -161,7 +166,7 @@ const MissedMeeting* nearest_of(const std::vector<MissedMeeting>& meetings,
   constexpr std::size_t kMostSegments = 64;  // a pencil's centre lies on all of its lines
   const MissedMeeting* result = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const SegmentId s : segments.first(std::min(segments.size(), kMostSegments)))
+  for (const SegmentId s : segments.first(std::min(segments.size(), kMostSegments))) {
     for (auto it =
              std::lower_bound(by_segment.begin(), by_segment.end(), std::pair(s, std::size_t{0}));
          it != by_segment.end() && it->first == s; ++it) {
@@ -171,15 +176,18 @@ const MissedMeeting* nearest_of(const std::vector<MissedMeeting>& meetings,
       least = away;
       result = &meeting;
     }
+  }
   return result;
 }
 
 }  // namespace
 
 Meetings::Meetings(const Trace& trace) : meetings_(Search(trace).run()) {
-  for (std::size_t i = 0; i < meetings_.size(); ++i)
-    for (const SegmentId s : {meetings_[i].first, meetings_[i].second})
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    for (const SegmentId s : {meetings_[i].first, meetings_[i].second}) {
       by_segment_.emplace_back(s, i);
+    }
+  }
   std::sort(by_segment_.begin(), by_segment_.end());
 }
 

@@ -23,10 +23,13 @@ struct Rerun {
 Lists<SegmentId> all_partners(const std::vector<lar::Box>& boxes) {
   const Lists<EdgeId> buckets = lar::box_buckets(boxes);
   std::vector<std::vector<SegmentId>> partners(boxes.size());
-  for (std::size_t b = 0; b < buckets.size(); ++b)
-    for (const EdgeId e : buckets[b])
-      for (const EdgeId f : buckets[b])
+  for (std::size_t b = 0; b < buckets.size(); ++b) {
+    for (const EdgeId e : buckets[b]) {
+      for (const EdgeId f : buckets[b]) {
         if (e != f) partners[e].emplace_back(f);
+      }
+    }
+  }
   Lists<SegmentId> result;
   for (std::vector<SegmentId>& list : partners) {
     std::sort(list.begin(), list.end());

@@ -88,12 +88,13 @@ Cause ExplainedRun::explained(const Finding& finding, Cause cause) const {
 void ExplainedRun::explain_quantisation(const Finding&, Cause& cause) const {
   const int decimals = trace_.options.decimals;
   const double largest = largest_coordinate(ends_of(trace_));
-  if (largest * std::pow(10, decimals) >= std::pow(10, kDigits))
+  if (largest * std::pow(10, decimals) >= std::pow(10, kDigits)) {
     return set(cause, "twelve-digits",
                fmt::format("coordinates were written with {} digits, too few for {} decimals of "
                            "numbers up to {:.3g}",
                            kDigits, decimals, largest),
                "move the drawing to the origin first");
+  }
   set(cause, "absolute-quantum",
       fmt::format("coordinates were rounded to {} decimals, whatever the size of the drawing "
                   "({:.3g})",
@@ -105,11 +106,12 @@ void ExplainedRun::explain_meeting(const Finding& finding, Cause& cause) const {
   using Kind = MissedMeeting::Kind;
   const MissedMeeting* meeting = meetings_.nearest_to(nearest(finding.where), finding.segments);
   const int decimals = trace_.options.decimals;
-  if (!meeting)
+  if (!meeting) {
     return set(
         cause, "parameter-rounding",
         fmt::format("parameters and points of intersection were rounded to {} decimals", decimals),
         "take more decimals, or scale the drawing to a length of about 1");
+  }
   switch (meeting->kind) {
     case Kind::Parallel:
       return set(cause, "parallel-skipped",
@@ -139,12 +141,13 @@ void ExplainedRun::explain_meeting(const Finding& finding, Cause& cause) const {
 
 void ExplainedRun::explain_merge(const Finding& finding, Cause& cause) const {
   const double radius = trace_.options.radius;
-  if (is_small())
+  if (is_small()) {
     return set(cause, "absolute-quantum",
                fmt::format("vertices within {:.3g} were merged, whatever the size of the drawing "
                            "({:.3g})",
                            radius, longer_side(trace_)),
                "a smaller radius, or a drawing scaled up");
+  }
   const bool crosses = finding.invariant || finding.disagreement == Disagreement::Extra;
   const engine_steps::Cluster* cluster =
       merged_.nearest_to(nearest(finding.where), finding.segments);
@@ -156,29 +159,32 @@ void ExplainedRun::explain_merge(const Finding& finding, Cause& cause) const {
                         radius, cluster->size, extent)
           : fmt::format("vertices within {:.3g} were merged", radius);
   const std::string advice = engine_steps::radius_below(least);
-  if (crosses)
+  if (crosses) {
     set(cause, "fold-over", merged + ", which led edges across others", advice);
-  else if (extent > radius * (1 + kRounding))
+  } else if (extent > radius * (1 + kRounding)) {
     set(cause, "chain-collapse", merged + ", each near the next", advice);
-  else if (finding.disagreement == Disagreement::Moved)
+  } else if (finding.disagreement == Disagreement::Moved) {
     set(cause, "off-grid-mean", merged + "; their mean is none of them and off the grid",
         "keep one of the merged vertices");
-  else if (cluster && std::abs(least - radius) <= radius * kRounding)
+  } else if (cluster && std::abs(least - radius) <= radius * kRounding) {
     set(cause, "at-radius", merged + ", the radius itself, so that rounding decided", advice);
-  else
+  } else {
     set(cause, "thin-part", merged, advice);
+  }
 }
 
 void ExplainedRun::explain_filter(const Finding& finding, Cause& cause) const {
   using Why = DroppedEdges::Why;
   const char* advice = "keep all components: plumbline check without --variant published";
-  if (finding.kind == CellKind::Hole)
+  if (finding.kind == CellKind::Hole) {
     return set(cause, "holes-dropped", "faces have no inner boundaries", advice);
+  }
   const auto why = dropped_.nearest_to(nearest(finding.where), finding.segments);
-  if (!why)
+  if (!why) {
     return set(cause, "rounded-again",
                "the merged vertices were rounded once more, which moved or merged them",
                "keep the merged vertices");
+  }
   switch (*why) {
     case Why::NoCycle:
       return set(cause, "bridges-dropped", "edges in no cycle were left out", advice);
@@ -193,38 +199,41 @@ void ExplainedRun::explain_filter(const Finding& finding, Cause& cause) const {
 
 void ExplainedRun::explain_walk(Cause& cause) const {
   const char* advice = "cut and merge until nothing changes, as the repaired pipeline does";
-  if (walk_.never_ends && walk_.is_plane)
+  if (walk_.never_ends && walk_.is_plane) {
     set(cause, "first-vertex",
         "the walk ends a face at its first vertex, not at its first edge, so that at a cut vertex "
         "or a dangling edge it never ends",
         "end a face where its first edge comes back");
-  else if (walk_.never_ends)
+  } else if (walk_.never_ends) {
     set(cause, "endless-walk", "merging made edges cross, and the face walk never ends", advice);
-  else if (walk_.aborted)
+  } else if (walk_.aborted) {
     set(cause, "aborted-walk",
         "merging made edges cross, and the face walk left its edge and gave up the rest", advice);
-  else if (walk_.breaks_euler)
+  } else if (walk_.breaks_euler) {
     set(cause, "euler", "merging made edges cross, and V - E + F is not that of the plane", advice);
-  else if (walk_.depends_on_order)
+  } else if (walk_.depends_on_order) {
     set(cause, "hash-order",
         "merging made edges cross, and which faces are found depends on the order of a hash table",
         advice);
-  else if (!walk_.is_plane)
+  } else if (!walk_.is_plane) {
     set(cause, "crossed-walk", "edges cross, so the cycles of the walk are no faces", advice);
-  else
+  } else {
     set(cause, "no-cycle", "there is no cycle, and so no result", "keep the edges in no cycle");
+  }
 }
 
 void ExplainedRun::explain_outer_face(const Finding& finding, Cause& cause) const {
-  if (walk_.misjudges_areas)
+  if (walk_.misjudges_areas) {
     return set(cause, "single-precision-area",
                "areas in single precision made an inner face as large as the exterior one",
                "signed areas in double precision");
+  }
   const bool is_kept = finding.invariant || finding.disagreement == Disagreement::Extra;
-  if (is_kept)
+  if (is_kept) {
     return set(cause, "exteriors-kept",
                "the exterior cycles of all components but the largest stayed among the faces",
                "leave out every cycle that runs clockwise");
+  }
   set(cause, "largest-area",
       "every cycle with the largest area was taken for the exterior one, a face among them",
       "leave out every cycle that runs clockwise");
@@ -232,9 +241,10 @@ void ExplainedRun::explain_outer_face(const Finding& finding, Cause& cause) cons
 
 void ExplainedRun::explain_nesting(const Finding& finding, Cause& cause) const {
   using Fault = Lattice::Fault;
-  if (result_ != Result::CellsFromCycles)
+  if (result_ != Result::CellsFromCycles) {
     return set(cause, "holes-dropped", "faces have no inner boundaries",
                "give faces the outlines of what lies in them as holes");
+  }
   const char* advice = "take the innermost cycle around each component";
   switch (lattice_.fault_at(finding.segments)) {
     case Fault::Alternates:
@@ -277,10 +287,12 @@ Cause ExplainedRun::refined(const Finding& finding, Cause cause) const {
     explain_conversion(finding, cause);
     return cause;
   }
-  if (cause.rule == "parallel-skipped" && finding.kind == CellKind::Face)
+  if (cause.rule == "parallel-skipped" && finding.kind == CellKind::Face) {
     cause.rule = "parallel-wall";
-  if (stage_of(cause.stage) == Stage::ComponentFilter && finding.kind == CellKind::Hole)
+  }
+  if (stage_of(cause.stage) == Stage::ComponentFilter && finding.kind == CellKind::Hole) {
     explain_filter(finding, cause);
+  }
   return cause;
 }
 

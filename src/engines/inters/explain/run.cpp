@@ -15,9 +15,11 @@ engine_steps::MergedVertices merged_in(const Trace& trace, const EdgeSources& ra
   std::vector<std::vector<SegmentId>> segments_at(trace.raw.vertices.size());
   std::vector<bool> is_merged(trace.raw.vertices.size());
   for (const VertexId v : trace.prune.clusters.flat()) is_merged[v] = true;
-  for (const auto& [edge, sources] : raw_sources)
-    for (const VertexId v : edge)
+  for (const auto& [edge, sources] : raw_sources) {
+    for (const VertexId v : edge) {
       if (is_merged[v]) segments_at[v].insert(segments_at[v].end(), sources.begin(), sources.end());
+    }
+  }
   engine_steps::MergedVertices result;
   for (std::size_t i = 0; i < trace.prune.clusters.size(); ++i) {
     const auto members = trace.prune.clusters[i];
@@ -67,8 +69,9 @@ std::vector<StageOutput> ExplainedRun::outputs() const {
   }
   add(Stage::Intersect, work_of(trace_.raw, raw_sources_), true);
   add(Stage::Prune, work_of(trace_.lar, lar_sources_), true);
-  if (has_result(trace_, result_) && result_ != Result::CellsFromCycles)
+  if (has_result(trace_, result_) && result_ != Result::CellsFromCycles) {
     add(Stage::ComponentFilter, kept_work(trace_, result_, lar_sources_), true);
+  }
   return result;
 }
 
@@ -83,8 +86,9 @@ std::string ExplainedRun::late_stage(const Finding& finding) const {
   // What edges of one vertex add.
   if (trace_.components.empty()) return to_text(Stage::Simplify);
   if (result_ == Result::CellsFromCycles) return to_text(Stage::Nesting);
-  if (!has_result(trace_, result_) || walk_.is_faulty() || !walk_.is_plane)
+  if (!has_result(trace_, result_) || walk_.is_faulty() || !walk_.is_plane) {
     return to_text(Stage::FaceWalk);
+  }
   if (walk_.misorders_edges) return to_text(Stage::EdgeOrder);
   return to_text(is_about_nesting ? Stage::Nesting : Stage::OuterFace);
 }

@@ -63,8 +63,10 @@ std::vector<std::string_view> text_lines(std::string_view text) {
 
 std::size_t count(std::string_view text, std::string_view what) {
   std::size_t times = 0;
-  for (std::size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + 1))
+  for (std::size_t at = text.find(what); at != std::string_view::npos;
+       at = text.find(what, at + 1)) {
     ++times;
+  }
   return times;
 }
 
@@ -99,8 +101,9 @@ const Rule* rule_of(std::string_view line, const Source& source, const Segment& 
   const bool stands_first = first + 1 == source.column || count(line, tag) > 1;
   if (!stands_first || line.find("/>") == std::string_view::npos) return &kElements;
   const auto error = error_on(line);
-  if (!error || error == "ZeroDivisionError")  // the line alone may have no extent
+  if (!error || error == "ZeroDivisionError") {  // the line alone may have no extent
     return is_in_place(line, source.element, segment) ? nullptr : &kElements;
+  }
   if (source.element == "line") {
     const bool is_ordered = line.find("<line x1=") == std::string_view::npos &&
                             line.find(" />") == std::string_view::npos;
@@ -112,10 +115,12 @@ const Rule* rule_of(std::string_view line, const Source& source, const Segment& 
 }
 
 bool has_integers_only(std::string_view line) {
-  for (const char* name : {"x1", "y1", "x2", "y2", "x", "y", "width", "height"})
+  for (const char* name : {"x1", "y1", "x2", "y2", "x", "y", "width", "height"}) {
     if (const auto value = attribute(line, name);
-        value && value->find_first_of(".eE") != std::string_view::npos)
+        value && value->find_first_of(".eE") != std::string_view::npos) {
       return false;
+    }
+  }
   return true;
 }
 
@@ -163,8 +168,9 @@ std::vector<Explained> svg_to_lines_findings(std::string_view svg, const Segment
     if (has_extent && are_integers) add(kIntegers, s);
   }
   std::vector<Explained> result;
-  for (auto& [name, found] : by_rule)
+  for (auto& [name, found] : by_rule) {
     result.push_back(explained(*found.first, std::move(found.second)));
+  }
   return result;
 }
 

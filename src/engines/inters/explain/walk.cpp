@@ -89,8 +89,9 @@ bool misjudges_areas(const Faces& faces) {
   const auto largest = std::max_element(areas.begin(), areas.end());
   if (largest == areas.end()) return false;
   const double computed = faces.areas[static_cast<std::size_t>(largest - areas.begin())];
-  for (std::size_t f = 0; f < areas.size(); ++f)
+  for (std::size_t f = 0; f < areas.size(); ++f) {
     if (areas[f] < *largest * (1 - kSameArea) && faces.areas[f] >= computed) return true;
+  }
   return false;
 }
 
@@ -111,8 +112,9 @@ bool misorders(const Model& model) {
         const auto& [s, t] = model.edges[e];
         return exact(model.vertices[s == v ? t : s]);
       };
-      if (orientation(exact(model.vertices[v]), far(around[i - 1]), far(around[i])) < 0)
+      if (orientation(exact(model.vertices[v]), far(around[i - 1]), far(around[i])) < 0) {
         return true;
+      }
     }
   }
   return false;

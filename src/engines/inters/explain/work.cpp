@@ -39,8 +39,9 @@ std::vector<VertexPair> kept_edges(const Trace& trace, Result result) {
                          [](const auto& a, const auto& b) { return a.size() < b.size(); });
     for (const VertexPair& edge : *largest) kept.insert(sorted(edge));
   } else {
-    for (const auto& component : trace.components)
+    for (const auto& component : trace.components) {
       for (const VertexPair& edge : component) kept.insert(sorted(edge));
+    }
   }
   return {kept.begin(), kept.end()};
 }
@@ -50,8 +51,9 @@ std::vector<Polygon> cells_as_polygons(const Trace& trace) {
   for (const std::vector<std::size_t>& cell : *trace.cells) {
     Polygon polygon;
     polygon.outer = ring(trace.components[cell.front()]);
-    for (std::size_t i = 1; i < cell.size(); ++i)
+    for (std::size_t i = 1; i < cell.size(); ++i) {
       polygon.holes.push_back(ring(trace.components[cell[i]]));
+    }
     result.push_back(std::move(polygon));
   }
   return result;
@@ -108,24 +110,27 @@ EdgeSources raw_sources(const Trace& trace) {
     segments_of[{a, b}].emplace_back(i);
   }
   std::map<PointD, VertexId> vertex_at;
-  for (std::size_t v = 0; v < trace.raw.vertices.size(); ++v)
+  for (std::size_t v = 0; v < trace.raw.vertices.size(); ++v) {
     vertex_at[trace.raw.vertices[v]] = VertexId(v);
+  }
   EdgeSources result;
   for (const Fragment& fragment : trace.fragments) {
     const auto& sources = segments_of[{fragment.segment.a, fragment.segment.b}];
     const Model pieces = split({&fragment, 1}, vcode).model;
-    for (const auto& [v, w] : pieces.edges)
+    for (const auto& [v, w] : pieces.edges) {
       merge(result[sorted({vertex_at.at(pieces.vertices[v]), vertex_at.at(pieces.vertices[w])})],
             sources);
+    }
   }
   return result;
 }
 
 EdgeSources lar_sources(const Trace& trace, const EdgeSources& raw) {
   EdgeSources result;
-  for (const auto& [edge, sources] : raw)
+  for (const auto& [edge, sources] : raw) {
     merge(result[sorted({trace.prune.vertex_map[edge[0]], trace.prune.vertex_map[edge[1]]})],
           sources);
+  }
   return result;
 }
 
@@ -137,8 +142,9 @@ LineWork work_of(const Model& model, const EdgeSources& sources) {
     result.segments.push_back({model.vertices[edge[0]], model.vertices[edge[1]]});
     result.sources.push_back(sources.at(sorted(edge)));
   }
-  for (std::size_t v = 0; v < is_used.size(); ++v)
+  for (std::size_t v = 0; v < is_used.size(); ++v) {
     if (!is_used[v]) result.points.push_back(model.vertices[v]);
+  }
   return result;
 }
 
@@ -176,9 +182,10 @@ FloatComplex result_complex(const Trace& trace, Result result, const EdgeSources
     merge(sources_of[std::minmax(a, b)], work.sources[i]);
   }
   Lists<SegmentId> edge_sources;
-  for (const Edge& edge : complex.edges)
+  for (const Edge& edge : complex.edges) {
     edge_sources.push_back(
         sources_of[std::minmax(complex.vertices[edge.tail], complex.vertices[edge.head])]);
+  }
   complex.edge_sources = std::move(edge_sources);
   return complex;
 }

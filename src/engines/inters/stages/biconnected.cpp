@@ -37,8 +37,9 @@ class Search {
         parent_(adjacency_.size()) {}
 
   Biconnected run() {
-    for (std::size_t v = 0; v < adjacency_.size(); ++v)
+    for (std::size_t v = 0; v < adjacency_.size(); ++v) {
       if (depth_[v] == 0) visit_from(VertexId(v));
+    }
     std::sort(result_.bridges.begin(), result_.bridges.end());
     return std::move(result_);
   }

@@ -33,14 +33,16 @@ struct Step {
 class EdgeWalk {
  public:
   explicit EdgeWalk(std::span<const VertexPair> edges) : edges_(edges), left_(edges.size(), true) {
-    for (std::size_t e = 0; e < edges.size(); ++e)
+    for (std::size_t e = 0; e < edges.size(); ++e) {
       for (const VertexId v : edges[e]) edges_at_[v].push_back(e);
+    }
   }
 
   std::vector<std::vector<Step>> run() {
     std::vector<std::vector<Step>> cycles;
-    for (std::size_t e = 0; e < edges_.size(); ++e)
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (left_[e]) cycles.push_back(cycle_from({e, edges_[e][0]}));
+    }
     return cycles;
   }
 

@@ -46,8 +46,9 @@ VertexPair nearest_pair(std::span<const PointD> vertices, std::span<const Vertex
 std::vector<VertexPair> scan(std::span<const PointD> vertices,
                              const std::vector<std::vector<VertexId>>& cycles) {
   std::vector<Item> items;
-  for (std::size_t c = 0; c < cycles.size(); ++c)
+  for (std::size_t c = 0; c < cycles.size(); ++c) {
     for (const VertexId v : cycles[c]) items.push_back({vertices[v], c, v});
+  }
   std::sort(items.begin(), items.end());
   std::vector<VertexPair> bridges;
   std::vector<bool> scanned(cycles.size(), false);

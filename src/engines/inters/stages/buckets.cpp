@@ -68,8 +68,9 @@ class Splitting {
 Lists<SegmentId> partners(std::size_t boxes, const std::set<Bucket>& buckets,
                           std::size_t max_members) {
   std::vector<std::vector<const Bucket*>> buckets_of(boxes);
-  for (const Bucket& bucket : buckets)
+  for (const Bucket& bucket : buckets) {
     for (const EdgeId e : bucket) buckets_of[e].push_back(&bucket);
+  }
   Lists<SegmentId> result;
   std::vector<SegmentId> others;
   std::vector<std::size_t> seen_by(boxes, boxes);

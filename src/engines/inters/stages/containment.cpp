@@ -102,8 +102,9 @@ CycleCells cells_from_cycles(const LatticeArray& lattice) {
   for (const std::vector<std::size_t>& family : sons) {
     const std::size_t father = family.front();
     std::vector<std::size_t> cell;
-    for (const std::size_t son : family)
+    for (const std::size_t son : family) {
       if (level[son] - level[father] <= 1) cell.push_back(son);
+    }
     if (used[cell.front()]) continue;
     for (const std::size_t cycle : cell) used[cycle] = true;
     result.push_back(std::move(cell));

@@ -92,8 +92,9 @@ class Walk {
 /// The distinct edges without zero edges, in the order of a set.
 std::vector<VertexPair> set_of_edges(std::span<const VertexPair> edges) {
   HashTable<VertexPair> set;
-  for (const auto& [v, w] : edges)
+  for (const auto& [v, w] : edges) {
     if (v != w) set.insert({std::min(v, w), std::max(v, w)});
+  }
   return set.listed();
 }
 

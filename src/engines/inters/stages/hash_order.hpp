@@ -54,8 +54,9 @@ class HashTable {
   std::vector<std::size_t> order() const {
     std::vector<std::size_t> result;
     result.reserve(keys_.size());
-    for (const std::uint32_t slot : slots_)
+    for (const std::uint32_t slot : slots_) {
       if (slot != kFree) result.push_back(slot);
+    }
     return result;
   }
   std::vector<Key> listed() const {
@@ -87,8 +88,9 @@ class HashTable {
     while (size <= least) size *= 2;
     const std::vector<std::uint32_t> old = std::move(slots_);
     slots_.assign(size, kFree);
-    for (const std::uint32_t slot : old)
+    for (const std::uint32_t slot : old) {
       if (slot != kFree) find(keys_[slot], hashes_[slot]) = slot;
+    }
   }
 
   std::vector<Key> keys_;

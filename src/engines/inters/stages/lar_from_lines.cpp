@@ -47,8 +47,9 @@ AllComponents all_component_faces(const Model& lar,
   AllComponents result{faces_from_components(remove_vertices(lar.vertices, edges, vcode)), {}};
   const std::vector<double>& areas = result.faces.areas;
   const double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
-  for (std::size_t f = 0; f < areas.size(); ++f)
+  for (std::size_t f = 0; f < areas.size(); ++f) {
     if (areas[f] != largest) result.interior.push_back(f);
+  }
   return result;
 }
 

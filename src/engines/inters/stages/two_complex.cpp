@@ -13,8 +13,9 @@ namespace plumbline::inters {
 
 std::vector<VertexId> cycle_vertices(std::span<const VertexPair> edges) {
   HashTable<std::size_t> set;
-  for (const VertexPair& edge : edges)
+  for (const VertexPair& edge : edges) {
     for (const VertexId v : edge) set.insert(v);
+  }
   std::vector<VertexId> result;
   for (const std::size_t v : set.listed()) result.emplace_back(v);
   return result;
@@ -49,8 +50,9 @@ std::vector<std::size_t> boundary_chain(const Model& model, std::span<const std:
     }
   }
   std::vector<std::size_t> boundary;
-  for (std::size_t e = 0; e < times.size(); ++e)
+  for (std::size_t e = 0; e < times.size(); ++e) {
     if (times[e] % 2 == 1) boundary.push_back(e);
+  }
   return boundary;
 }
 

@@ -22,8 +22,9 @@ Answer run(const SegmentSet& input, const Parameters& parameters, std::size_t th
   answer.radius = result.trace.radius;
   answer.parameters = {{kRadius, result.trace.radius}};
   for (const Stage stage : {Stage::Transform, Stage::Intersect, Stage::Prune, Stage::EdgeOrder,
-                            Stage::FaceWalk, Stage::OuterFace, Stage::Nesting})
+                            Stage::FaceWalk, Stage::OuterFace, Stage::Nesting}) {
     answer.stages.push_back(to_text(stage));
+  }
   const auto trace = std::make_shared<const Trace>(std::move(result.trace));
   answer.trace = [trace, threads] { return std::make_shared<const ExplainedRun>(trace, threads); };
   answer.with_radius = [](const SegmentSet& same, double radius, std::size_t count) {

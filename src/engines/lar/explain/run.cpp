@@ -110,11 +110,14 @@ engine_steps::MergedVertices ExplainedRun::merged_in(std::size_t round) const {
   std::vector<std::vector<SegmentId>> segments_at(r.split.vertices.size());
   std::vector<bool> is_merged(r.split.vertices.size());
   for (const VertexId v : r.pruning.clusters.flat()) is_merged[v] = true;
-  for (std::size_t e = 0; e < r.split.edges.size(); ++e)
-    for (const VertexId v : {r.split.edges[e].tail, r.split.edges[e].head})
-      if (is_merged[v])
+  for (std::size_t e = 0; e < r.split.edges.size(); ++e) {
+    for (const VertexId v : {r.split.edges[e].tail, r.split.edges[e].head}) {
+      if (is_merged[v]) {
         segments_at[v].insert(segments_at[v].end(), r.split.edge_sources[e].begin(),
                               r.split.edge_sources[e].end());
+      }
+    }
+  }
   engine_steps::MergedVertices result;
   for (std::size_t i = 0; i < r.pruning.clusters.size(); ++i) {
     const auto members = r.pruning.clusters[i];
@@ -136,14 +139,16 @@ std::vector<std::pair<SegmentId, ExplainedRun::Bend>> ExplainedRun::bends_in(
   const Graph& graph = before(round);
   const double radius = std::ldexp(trace_.radius, -trace_.exponent);
   std::vector<std::pair<SegmentId, Bend>> result;
-  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     for (const Cut& cut : trace_.rounds[round - 1].cuts[e]) {
       const double away = distance_to_line(cut.point, graph.vertices[graph.edges[e].tail],
                                            graph.vertices[graph.edges[e].head]);
       if (away <= kLeastBend * radius) continue;
-      for (const SegmentId s : graph.edge_sources[e])
+      for (const SegmentId s : graph.edge_sources[e]) {
         result.push_back({s, {drawn(cut.point), std::ldexp(away, trace_.exponent)}});
+      }
     }
+  }
   std::stable_sort(result.begin(), result.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   return result;
@@ -192,12 +197,13 @@ void ExplainedRun::explain_merge(const Finding& finding, Cause& cause) const {
       finding.disagreement == Disagreement::Invalid ||
       (finding.disagreement == Disagreement::Extra && finding.kind == CellKind::Vertex &&
        distance(nearest(finding.where), merged->merged) > kLeastBend * trace_.radius);
-  if (crosses)
+  if (crosses) {
     cause.rule = "fold-over";
-  else if (extent > trace_.radius * (1 + 0x1p-30))
+  } else if (extent > trace_.radius * (1 + 0x1p-30)) {
     cause.rule = "chain-collapse";
-  else
+  } else {
     cause.rule = "merged-within-radius";
+  }
   cause.explanation = fmt::format(
       "merging within the radius {:.3g} made one vertex of {} that are up to {:.3g} apart{}{}",
       trace_.radius, merged->size, extent, extent > trace_.radius ? ", each near the next" : "",
@@ -213,12 +219,13 @@ const ExplainedRun::Bend* ExplainedRun::bend_near(const PointD& p, std::size_t r
   double least = reach;
   for (auto it = std::lower_bound(bends.begin(), bends.end(), p.x - reach,
                                   [](const Bend&b, double x) { return b.point.x < x; });
-       it != bends.end() && it->point.x <= p.x + reach; ++it)
+       it != bends.end() && it->point.x <= p.x + reach; ++it) {
     if (const double away = distance(it->point, p);
         away < least || (away == least && (!result || it->distance < result->distance))) {
       least = away;
       result = &*it;
     }
+  }
   return result;
 }
 
@@ -227,15 +234,17 @@ void ExplainedRun::explain_meeting(const Finding& finding, Cause& cause) const {
   const auto& bends = bends_[cause.round - 1];
   const Bend* nearest_bend = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const SegmentId s : finding.segments)
+  for (const SegmentId s : finding.segments) {
     for (auto it = std::lower_bound(bends.begin(), bends.end(), s,
                                     [](const auto&a, SegmentId id) { return a.first < id; });
-         it != bends.end() && it->first == s; ++it)
+         it != bends.end() && it->first == s; ++it) {
       if (const double away = distance(it->second.point, where);
           away < least || (away == least && it->second.distance < nearest_bend->distance)) {
         least = away;
         nearest_bend = &it->second;
       }
+    }
+  }
   if (!nearest_bend) nearest_bend = bend_near(where, cause.round);
   if (nearest_bend) {
     cause.rule = "snapped-to-edge";

@@ -74,8 +74,9 @@ void exploded(const Scene& scene, double factor, Canvas& canvas) {
   for (Scene::Polygon& face : moved) {
     const PointD from = middle(face);
     const PointD shift{(factor - 1) * (from.x - box.low.x), (factor - 1) * (from.y - box.low.y)};
-    for (std::vector<PointD>& cycle : face)
+    for (std::vector<PointD>& cycle : face) {
       for (PointD& p : cycle) p = {p.x + shift.x, p.y + shift.y};
+    }
   }
   faces(moved, canvas);
 }
@@ -143,10 +144,11 @@ void polylines(std::span<const Bridged> faces, Canvas& canvas) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     canvas.paths(faces[f].polylines, fmt::format(" fill=\"{}\" fill-opacity=\"0.3\"", colour(f)));
   }
-  for (const Bridged& face : faces)
+  for (const Bridged& face : faces) {
     for (const auto& [p, q] : face.bridges) {
       canvas.line(p, q, stroke(kMark) + " stroke-width=\"2\"");
     }
+  }
 }
 
 /// Chosen faces filled, their boundary as chain in the second colour, all faces numbered.

@@ -79,8 +79,9 @@ Scene scene(const lar::Result& result) {
     scene.lines.push_back({scaled(trace.drawing.vertices[tail]),
                            scaled(trace.drawing.vertices[head]), first.buckets.size() + e});
   }
-  for (std::size_t b = first.buckets.size(); b-- > 0;)
+  for (std::size_t b = first.buckets.size(); b-- > 0;) {
     for (const EdgeId e : first.buckets[b]) scene.lines[e].bucket = b;
+  }
   scene.vertices = scaled(graph.vertices);
   for (const Edge& edge : graph.edges) scene.edges.push_back(pair(edge));
   for (std::size_t c = 0; c < trace.biconnected.size(); ++c) {

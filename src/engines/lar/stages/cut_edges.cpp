@@ -147,13 +147,15 @@ std::size_t reduce(std::span<Cut> cuts, const SegmentD& edge, double same) {
 /// The cuts edge by edge.
 Lists<Cut> gathered(const std::vector<std::vector<EdgeCut>>& found, const Edges& edges) {
   std::vector<std::size_t> begin(edges.segments.size() + 1, 0);
-  for (const auto& cuts : found)
+  for (const auto& cuts : found) {
     for (const EdgeCut& c : cuts) ++begin[c.edge + 1];
+  }
   for (std::size_t e = 0; e + 1 < begin.size(); ++e) begin[e + 1] += begin[e];
   std::vector<Cut> cuts(begin.back());
   std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
-  for (const auto& of_task : found)
+  for (const auto& of_task : found) {
     for (const EdgeCut& c : of_task) cuts[end[c.edge]++] = c.cut;
+  }
   for_blocks(end.size(), kEdgesPerBlock, [&](std::size_t first, std::size_t last) {
     for (std::size_t e = first; e < last; ++e) {
       const std::span<Cut> of_edge(cuts.data() + begin[e], cuts.data() + end[e]);

@@ -45,8 +45,9 @@ class PointsInBox {
     Positions result;
     for (std::size_t i : by_x.size() < by_y.size() ? by_x : by_y) {
       const PointD& p = points_[i];
-      if (box.low.x < p.x && p.x < box.high.x && box.low.y < p.y && p.y < box.high.y)
+      if (box.low.x < p.x && p.x < box.high.x && box.low.y < p.y && p.y < box.high.y) {
         result.push_back(i);
+      }
     }
     return result;
   }

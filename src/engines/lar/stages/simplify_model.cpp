@@ -69,10 +69,12 @@ Model simplify(const Model& model, double radius) {
   std::vector<std::vector<VertexId>> faces = merged_faces(model, pruning.vertex_map);
 
   std::vector<VertexId> renumbered(pruning.vertices.size());
-  for (const VertexPair& edge : result.edges)
+  for (const VertexPair& edge : result.edges) {
     for (const VertexId v : edge) renumbered[v] = v;
-  for (const auto& face : faces)
+  }
+  for (const auto& face : faces) {
     for (const VertexId v : face) renumbered[v] = v;
+  }
   for (std::size_t v = 0; v < renumbered.size(); ++v) {
     if (!renumbered[v].valid()) continue;
     renumbered[v] = VertexId(result.vertices.size());
