@@ -150,6 +150,44 @@ TEST_CASE("buckets: bricks, each overlapping the next, are covered by one or two
   CHECK(complex.edge_sources.flat().size() == 598);  // three each, the first and the last two
 }
 
+// Regression: doubles near 0 have absolute errors, which no margin knew of.
+TEST_CASE("buckets: a drawing of 1e-315 of the extent is arranged as a large one") {
+  const Rational unit = parse_decimal("1e-315");
+  SegmentSet input;
+  const SourceId source = input.add_source({});
+  for (int i = 0; i < 60; ++i) {
+    input.add({{0, i * unit}, {59 * unit, i * unit}}, source);
+    input.add({{i * unit, 0}, {i * unit, 59 * unit}}, source);
+  }
+  input.add({{Rational(3, 10), Rational(3, 10)}, {Rational(2, 5), Rational(1, 2)}}, source);
+  CHECK(summary(arrange(input)) == "V 3602 E 7081 F 3482 C 2 antennas 1");
+}
+
+TEST_CASE("buckets: ends on a line of 1e-323 are in their order along it") {
+  const Rational unit = parse_decimal("1e-324");
+  SegmentSet input;
+  const SourceId source = input.add_source({});
+  const Point a{0, 0}, b{70 * unit, 31 * unit};
+  input.add({a, b}, source);
+  for (int k = 1; k < 97; k += 3) {  // through the line, or from it, at k / 97
+    const Point foot{b.x * k / 97, b.y * k / 97};
+    const Point off{Rational(k % 7 - 3) * unit, Rational(k % 5 + 1) * unit};
+    input.add({k % 2 == 0 ? Point{foot.x - off.x, foot.y - off.y} : foot,
+               {foot.x + off.x, foot.y + off.y}},
+              source);
+  }
+  input.add({{Rational(3, 10), Rational(3, 10)}, {Rational(2, 5), Rational(1, 2)}}, source);
+  CHECK(arrange(input, ExactEngine::Bucket) == arrange(input, ExactEngine::Cgal));
+}
+
+TEST_CASE("buckets: isolated points, however many and wherever, have their faces") {
+  std::string column, inside = rectangle(-1, -1, 1, 400) + rectangle(-5, -5, 5, 500);
+  for (int i = 0; i < 300; ++i) column += "+ 0 " + std::to_string(i) + "  ";
+  CHECK(arranged(column) == "V 300 E 0 F 1 C 300 isolated 300");
+  CHECK(arranged(inside + column + "+ 3 3  + 7 7  + 3 400") ==
+        "V 311 E 8 F 3 C 305 holes 1 isolated 303 depth 2");
+}
+
 TEST_CASE("far from the origin, a drawing is arranged as near it") {
   for (const char* offset : {"10000000000000000000", "-1000000000000000000000/7"}) {
     SegmentSet near = inputs::of_family("lattice", 11), far;

@@ -27,15 +27,16 @@ void Buckets::choose_grid(std::span<const Approx> lines) {
   const auto line = [&](std::size_t i) { return lines[i]; };
   const Sample sample = sample_of(lines.size(), line);
   extent_ = core_of(extent_of(lines.size(), line), sample);
-  margin_.border = 32 * 0x1p-53 *
-                   std::max({std::abs(extent_.x0), std::abs(extent_.y0), std::abs(extent_.x1),
-                             std::abs(extent_.y1)});
+  const double reach = std::max(
+      {std::abs(extent_.x0), std::abs(extent_.y0), std::abs(extent_.x1), std::abs(extent_.y1)});
+  margin_.border = std::max(32 * 0x1p-53 * reach, Margin::kLeast);
   constexpr double kOfMeanLength = 0.7;
   const double n = static_cast<double>(lines.size());
   const double width = std::max(extent_.x1 - extent_.x0, margin_.border);
   const double height = std::max(extent_.y1 - extent_.y0, margin_.border);
-  const double side = std::max({kOfMeanLength * sample.mean_length, std::sqrt(width / n * height),
-                                std::max(width, height) / n, 4 * margin_.border});
+  const double side =
+      std::max({kOfMeanLength * sample.mean_length, std::sqrt(width / n) * std::sqrt(height),
+                std::max(width, height) / n, 4 * margin_.border});
   columns_ = static_cast<std::size_t>(std::max(1.0, std::ceil(width / side)));
   rows_ = static_cast<std::size_t>(std::max(1.0, std::ceil(height / side)));
   column_width_ = width > 0 ? width / static_cast<double>(columns_) : 1;

@@ -26,6 +26,11 @@ class Surroundings {
     FaceId face = face_[component];
     while (!face.valid()) {
       path.push_back(component);
+      if (components_[component].beside != kNone) {
+        component = components_[component].beside;
+        face = face_[component];
+        continue;
+      }
       const HalfedgeId before = components_[component].before;
       if (!before.valid()) {
         face = kUnbounded;

@@ -18,6 +18,8 @@ struct Component {
   /// One that has the component, unless it is in a hole of that face, on its left, and that belongs
   /// to a component with a lesser vertex; none in the unbounded face.
   HalfedgeId before;
+  /// Instead of that: the component of an isolated vertex, a lesser one, in the same face.
+  std::uint32_t beside = kNone;
 };
 
 /// Connected components of the lines.
@@ -55,7 +57,7 @@ std::vector<Component> find_components(const Kernel& kernel, const UnionFind& se
     const LineId root = sets.find(s);
     if (root == s) {
       number[s] = static_cast<std::uint32_t>(components.size());
-      components.push_back({first_end(s), 0, {}, {}});
+      components.push_back({first_end(s), 0, {}, {}, kNone});
     } else {
       EndId& least = components[number[root]].least;
       if (kernel.compare(first_end(s), least) < 0) least = first_end(s);

@@ -55,10 +55,12 @@ struct Scene {
   double margin(LineId s) const { return buckets.margin()(approx[s]); }
   /// Two parameters along s that are further apart are in the order of their points. Those of
   /// crossings are off by kParameterError each; one of an end, a quotient of differences of rounded
-  /// coordinates, by 8 u times the greatest coordinate of s, divided by its length.
+  /// coordinates, by 8 u times the greatest coordinate of s, divided by its length. Of a line that
+  /// is all but 0 long they tell nothing.
   double parameter_error(LineId s) const {
     const Approx& l = approx[s];
     const double length = std::max(l.bx - l.ax, std::abs(l.by - l.ay));
+    if (!(length > Margin::kLeast)) return INFINITY;
     const double reach = std::max({std::abs(l.ax), std::abs(l.ay), std::abs(l.bx), std::abs(l.by)});
     return 4 * (Kernel::kParameterError + 2 * 0x1p-53) + 20 * 0x1p-53 * (reach / length);
   }

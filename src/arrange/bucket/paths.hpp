@@ -27,8 +27,8 @@ class Paths {
         halfedges_(halfedges),
         order_(kernel, crossings) {}
 
-  /// An end before another one and near it, of a line with length: of a line in its bucket or next
-  /// to its own along the curve. kNone if there is none.
+  /// An end before another one and near it: of a line in its bucket or next to its own along the
+  /// curve. kNone if there is none.
   EndId target(EndId end) const {
     constexpr LineId kNeighbours = 8;
     const LineId line = line_of(end), count = static_cast<LineId>(approx_.size());
@@ -41,9 +41,9 @@ class Paths {
     return nearest.end;
   }
 
-  /// What is on a path nearest to its last end, a halfedge that has that end on its left; nothing
-  /// if there is too much on the way. `path` is the line from `target` to the least vertex of a
-  /// component.
+  /// What is on a path nearest to its last end, a halfedge that has that end on its left; none if
+  /// that is the target, an isolated vertex; nothing if there is too much on the way. `path` is
+  /// the line from `target` to the least vertex of a component.
   std::optional<HalfedgeId> before(LineId path, EndId target) const {
     constexpr std::size_t kMostLines = 4096;
     Place nearest{kNone, kNone};
@@ -63,7 +63,7 @@ class Paths {
       }
     });
     if (seen > kMostLines) return {};
-    if (nearest.end == first_end(path)) nearest.end = target;
+    if (line == kNone || nearest.end == first_end(path)) nearest.end = target;
     return nearest.end != kNone ? around(vertex_of(nearest.end), path) : across(line, path);
   }
 
@@ -76,10 +76,7 @@ class Paths {
     const Approx &l = approx_[line_of(end)], &m = approx_[s];
     const auto look = [&](EndId e, double x, double y) {
       const double distance = std::max(std::abs(x - l.ax), std::abs(y - l.ay));
-      if (!(distance < nearest.distance) || kernel_.compare(e, end) >= 0 || kernel_.is_point(s)) {
-        return;
-      }
-      nearest = {e, distance};
+      if (distance < nearest.distance && kernel_.compare(e, end) < 0) nearest = {e, distance};
     };
     look(first_end(s), m.ax, m.ay);
     look(last_end(s), m.bx, m.by);
@@ -130,6 +127,7 @@ class Paths {
   /// The halfedge that leaves a vertex of the path next clockwise from the path.
   HalfedgeId around(std::uint32_t v, LineId path) const {
     const auto leaving = halfedges_.around[v];
+    if (leaving.empty()) return {};
     const auto rightwards = std::partition_point(leaving.begin(), leaving.end(),
                                                  [](HalfedgeId h) { return !is_reversed(h); });
     const auto after = std::partition_point(leaving.begin(), rightwards, [&](HalfedgeId h) {
@@ -154,6 +152,12 @@ void look_before(Kernel& kernel, std::span<const Approx> approx, const Buckets& 
                  Job& job) {
   constexpr std::size_t kBlock = 256;
   const std::size_t line_count = kernel.size();
+  std::vector<std::uint32_t> isolated(line_count, kNone);  // per line the component that it is
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    if (!components[c].hole.valid()) {
+      isolated[line_of(components[c].least)] = static_cast<std::uint32_t>(c);
+    }
+  }
   const Paths<Kernel> paths(kernel, approx, buckets, chains, halfedges, crossings);
   const Rays<Kernel> rays(kernel, approx, buckets, chains, crossings);
   std::vector<EndId> target(components.size());
@@ -170,6 +174,7 @@ void look_before(Kernel& kernel, std::span<const Approx> approx, const Buckets& 
         std::optional<HalfedgeId> before;
         if (path[c] != kNone) before = paths.before(path[c], target[c]);
         components[c].before = before ? *before : rays.below(components[c].least);
+        if (before && !before->valid()) components[c].beside = isolated[line_of(target[c])];
       },
       kBlock);
   kernel.resize(line_count);

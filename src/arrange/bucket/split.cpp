@@ -157,7 +157,8 @@ std::array<PointD, 2> extreme_normals(const std::vector<Piece>& members,
     const LineId s = piece.line;
     const double dx = lines[s].bx - lines[s].ax, dy = lines[s].by - lines[s].ay;
     const double length = std::hypot(dx, dy);
-    return length > 0 ? PointD{-dy / length, dx / length} : PointD{1, 0};
+    if (!(length > 0) || dx == 0) return PointD{1, 0};  // the sign that a split along x has
+    return PointD{-dy / length, dx / length};
   };
   const PointD first = normal(members.front());
   PointD other = first;

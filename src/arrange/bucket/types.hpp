@@ -36,8 +36,11 @@ struct Approx {
 /// With u = 2^-53, r the greatest absolute value of a coordinate of the line and d its length (the
 /// greater of width and height): a point a + t (b - a) is off by d times the error of t, and by 8 u
 /// r for rounded ends and operations; its rounded projection onto a normal by 6 u r more. Borders
-/// of buckets, computed in two ways, are off by 9 u times the greatest coordinate of the grid.
+/// of buckets, computed in two ways, are off by 9 u times the greatest coordinate of the grid. What
+/// is below kLeast is not told apart: the errors of doubles near 0 are absolute ones.
 struct Margin {
+  static constexpr double kLeast = 0x1p-960;
+
   double parameter_error = 0;  ///< of the parameter of a crossing
   double border = 0;           ///< of the borders of buckets
 
