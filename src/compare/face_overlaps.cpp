@@ -31,7 +31,7 @@ class OverlapSums {
     }
   }
 
-  std::vector<Region> regions(const Faces& faces) && {
+  std::vector<Region> regions() && {
     for (const Side side : kBothSides) {
       const std::vector<FaceId> around_free = faces_around_free_edges(side);
       for (std::size_t i = 0; i < edges_[side].size(); ++i) {
@@ -152,7 +152,7 @@ void OverlapSums::add_piece(Side side, EdgeId e, const Piece& piece) {
 }  // namespace
 
 std::vector<Region> face_overlaps(const Sides& sides, const Faces& faces) {
-  return OverlapSums(sides, faces).regions(faces);
+  return OverlapSums(sides, faces).regions();
 }
 
 }  // namespace plumbline::compare_steps
