@@ -127,8 +127,9 @@ class Reader {
         refuse("an edge has the ends of the one before it, or should come before that");
       }
       edges.push_back({tail, head});
-      do covering_segment();
-      while (!line_.empty());
+      do {
+        covering_segment();
+      } while (!line_.empty());
       certificate_.segments.close();
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -43,6 +44,11 @@ class VertexTree {
   void visit(VertexId a, VertexId b, const double& reach, std::uint32_t without,
              const Visit& visitor) const;
 
+  /// The same for vertices that are no further from either end of the segment than these are from
+  /// each other, ends left out; up to rounding.
+  template <class Visit>
+  void visit_between(VertexId a, VertexId b, const double& reach, const Visit& visitor) const;
+
   /// Gives each vertex a label below kNoLabel.
   void set_labels(std::span<const std::uint32_t> labels);
   static constexpr std::uint32_t kNoLabel = 0xffffffffU;
@@ -70,7 +76,16 @@ class VertexTree {
     const double x = q.x - p.x, y = q.y - p.y;
     return std::sqrt(x * x + y * y);
   }
+  static double squared_distance_of_box(const PointD& p, const BoxD& box) {
+    const double x = p.x - std::clamp(p.x, box.low.x, box.high.x);
+    const double y = p.y - std::clamp(p.y, box.low.y, box.high.y);
+    return x * x + y * y;
+  }
   void build(std::uint32_t begin, std::uint32_t end);
+  /// Calls visit(v, place in the order) for the vertices of nodes that the query may reach and
+  /// is_out(node) does not leave out.
+  template <class IsOut, class Visit>
+  void walk(const Query& query, const double& reach, const IsOut& is_out, const Visit& visit) const;
 
   std::vector<PointD> points_;
   double margin_ = 0;
@@ -80,30 +95,56 @@ class VertexTree {
   std::vector<std::uint32_t> labels_;
 };
 
-template <class Visit>
-void VertexTree::visit(VertexId a, VertexId b, const double& reach, std::uint32_t without,
-                       const Visit& visitor) const {
-  const Query query(points_[a], points_[b]);
+template <class IsOut, class Visit>
+void VertexTree::walk(const Query& query, const double& reach, const IsOut& is_out,
+                      const Visit& visit) const {
   std::vector<std::uint32_t> stack;
   if (!nodes_.empty()) stack.push_back(0);
   while (!stack.empty()) {
     const std::uint32_t at = stack.back();
     const Node& node = nodes_[at];
     stack.pop_back();
-    if (without != kNoLabel && node.label == without) continue;
-    if (!query.may_reach(node, above(reach))) continue;
+    if (!query.may_reach(node, above(reach)) || is_out(node)) continue;
     if (node.right != 0) {
       stack.push_back(node.right);
       stack.push_back(at + 1);
       continue;
     }
-    for (std::uint32_t i = node.begin; i < node.end; ++i) {
-      const VertexId v = order_[i];
-      if (without != kNoLabel && labels_[v] == without) continue;
-      const double distance = query.distance(ordered_[i]);
-      if (distance <= reach) visitor(v, distance);
-    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) visit(order_[i], i);
   }
+}
+
+template <class Visit>
+void VertexTree::visit(VertexId a, VertexId b, const double& reach, std::uint32_t without,
+                       const Visit& visitor) const {
+  const Query query(points_[a], points_[b]);
+  const auto is_out = [&](const Node& node) {
+    return without != kNoLabel && node.label == without;
+  };
+  walk(query, reach, is_out, [&](VertexId v, std::uint32_t i) {
+    if (without != kNoLabel && labels_[v] == without) return;
+    const double distance = query.distance(ordered_[i]);
+    if (distance <= reach) visitor(v, distance);
+  });
+}
+
+template <class Visit>
+void VertexTree::visit_between(VertexId a, VertexId b, const double& reach,
+                               const Visit& visitor) const {
+  const Query query(points_[a], points_[b]);
+  const double longest = above(above(query.length));
+  const double squared = above(longest) * above(longest);
+  const auto is_out = [&](const Node& node) {
+    return squared_distance_of_box(query.a, node.box) > squared ||
+           squared_distance_of_box(query.b, node.box) > squared;
+  };
+  walk(query, reach, is_out, [&](VertexId v, std::uint32_t i) {
+    const PointD& p = ordered_[i];
+    const double off = query.distance(p);
+    if (off > reach || v == a || v == b) return;
+    if (distance(query.a, p) > longest || distance(query.b, p) > longest) return;
+    visitor(v, off);
+  });
 }
 
 }  // namespace plumbline

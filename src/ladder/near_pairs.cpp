@@ -26,12 +26,7 @@ NearPairs::NearPairs(const ExactComplex& complex) : complex_(complex), tree_(com
 /// Vertices within reach that the edge may be led through, by rounded distances.
 template <class Visit>
 void NearPairs::for_vertices_along(EdgeId e, const double& reach, const Visit& visit) const {
-  const VertexId a = complex_.edges[e].tail, b = complex_.edges[e].head;
-  const double length = tree_.above(tree_.above(tree_.length(a, b)));
-  tree_.visit(a, b, reach, [&](VertexId v, double distance) {
-    if (v == a || v == b || tree_.length(a, v) > length || tree_.length(v, b) > length) return;
-    visit(v, distance);
-  });
+  tree_.visit_between(complex_.edges[e].tail, complex_.edges[e].head, reach, visit);
 }
 
 std::vector<double> NearPairs::nearest_of_vertices() const {

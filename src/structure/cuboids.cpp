@@ -70,8 +70,9 @@ class Grid {
     std::vector<bool> along(d, false);
     std::fill(along.end() - static_cast<std::ptrdiff_t>(k), along.end(), true);
     Cells result;
-    do append(along, result);
-    while (std::next_permutation(along.begin(), along.end()));
+    do {
+      append(along, result);
+    } while (std::next_permutation(along.begin(), along.end()));
     return result;
   }
 

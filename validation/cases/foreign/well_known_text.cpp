@@ -48,8 +48,9 @@ class Parser {
   void list(Item item) {
     if (take_if("EMPTY")) return;
     if (!take_if("(")) fail();
-    do item();
-    while (take_if(","));
+    do {
+      item();
+    } while (take_if(","));
     if (!take_if(")")) fail();
   }
 
