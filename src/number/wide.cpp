@@ -39,19 +39,6 @@ UInt128 gcd_of_odd(UInt128 a, UInt128 b) {
   return a;
 }
 
-struct UInt256 {
-  UInt128 high, low;
-};
-
-UInt256 multiply(UInt128 a, UInt128 b) {
-  const UInt128 lowest = static_cast<UInt128>(low(a)) * low(b);
-  const UInt128 mid1 = static_cast<UInt128>(high(a)) * low(b);
-  const UInt128 mid2 = static_cast<UInt128>(low(a)) * high(b);
-  const UInt128 highest = static_cast<UInt128>(high(a)) * high(b);
-  const UInt128 mid = static_cast<UInt128>(high(lowest)) + low(mid1) + low(mid2);
-  return {highest + high(mid1) + high(mid2) + high(mid), (mid << 64) | low(lowest)};
-}
-
 int sign(Int128 v) { return (v > 0) - (v < 0); }
 
 /// The first 53 bits of |n| / d, of value 2^ulp each, and some more: `rest` of 2 `half`, off by at
@@ -128,9 +115,8 @@ int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {
   if (left != right) return left < right ? -1 : 1;
   if (left == 0) return 0;
   const UInt256 p = multiply(magnitude(a), magnitude(b)), q = multiply(magnitude(c), magnitude(d));
-  if (p.high != q.high) return (p.high < q.high) == (left > 0) ? -1 : 1;
-  if (p.low != q.low) return (p.low < q.low) == (left > 0) ? -1 : 1;
-  return 0;
+  if (p == q) return 0;
+  return (p < q) == (left > 0) ? -1 : 1;
 }
 
 double nearest_quotient(Int128 n, Int128 d) {

@@ -20,8 +20,29 @@ inline constexpr auto kPowersOfTen = [] {
   return powers;
 }();
 
-inline UInt128 magnitude(Int128 v) {
+constexpr UInt128 magnitude(Int128 v) {
   return v < 0 ? -static_cast<UInt128>(v) : static_cast<UInt128>(v);
+}
+
+/// A 256-bit magnitude.
+struct UInt256 {
+  UInt128 high, low;
+  friend bool operator==(const UInt256&, const UInt256&) = default;
+  friend bool operator<(const UInt256& a, const UInt256& b) {
+    return a.high != b.high ? a.high < b.high : a.low < b.low;
+  }
+};
+
+inline UInt256 multiply(UInt128 a, UInt128 b) {
+  const std::uint64_t a0 = static_cast<std::uint64_t>(a), a1 = static_cast<std::uint64_t>(a >> 64);
+  const std::uint64_t b0 = static_cast<std::uint64_t>(b), b1 = static_cast<std::uint64_t>(b >> 64);
+  const UInt128 low = static_cast<UInt128>(a0) * b0;
+  const UInt128 mid1 = static_cast<UInt128>(a1) * b0, mid2 = static_cast<UInt128>(a0) * b1;
+  const UInt128 high = static_cast<UInt128>(a1) * b1;
+  const UInt128 mid =
+      (low >> 64) + static_cast<std::uint64_t>(mid1) + static_cast<std::uint64_t>(mid2);
+  return {high + (mid1 >> 64) + (mid2 >> 64) + (mid >> 64),
+          (mid << 64) | static_cast<std::uint64_t>(low)};
 }
 
 /// The greatest common divisor; of 0 and a the other one.

@@ -2,38 +2,15 @@
 
 #include <cstdint>
 
+#include "number/wide.hpp"
+
 namespace plumbline::bucket {
 
-__extension__ using Int128 = __int128;
-__extension__ using UInt128 = unsigned __int128;
+using wide::Int128, wide::UInt128, wide::UInt256, wide::magnitude, wide::multiply;
 
 template <class Integer>
 int sign(Integer v) {
   return (v > 0) - (v < 0);
-}
-
-/// The absolute value. Requires: v > -2^127.
-constexpr UInt128 magnitude(Int128 v) { return static_cast<UInt128>(v < 0 ? -v : v); }
-
-/// A 256-bit magnitude.
-struct UInt256 {
-  UInt128 high, low;
-  friend bool operator==(const UInt256&, const UInt256&) = default;
-  friend bool operator<(const UInt256& a, const UInt256& b) {
-    return a.high != b.high ? a.high < b.high : a.low < b.low;
-  }
-};
-
-inline UInt256 multiply(UInt128 a, UInt128 b) {
-  const std::uint64_t a0 = static_cast<std::uint64_t>(a), a1 = static_cast<std::uint64_t>(a >> 64);
-  const std::uint64_t b0 = static_cast<std::uint64_t>(b), b1 = static_cast<std::uint64_t>(b >> 64);
-  const UInt128 low = static_cast<UInt128>(a0) * b0;
-  const UInt128 mid1 = static_cast<UInt128>(a1) * b0, mid2 = static_cast<UInt128>(a0) * b1;
-  const UInt128 high = static_cast<UInt128>(a1) * b1;
-  const UInt128 mid =
-      (low >> 64) + static_cast<std::uint64_t>(mid1) + static_cast<std::uint64_t>(mid2);
-  return {high + (mid1 >> 64) + (mid2 >> 64) + (mid >> 64),
-          (mid << 64) | static_cast<std::uint64_t>(low)};
 }
 
 /// A 256-bit integer in two's complement. Sums and differences that do not fit wrap around.
