@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "arrange/bucket/buckets.hpp"
+#include "arrange/bucket/membership.hpp"
 
 namespace plumbline::bucket {
 

@@ -150,7 +150,7 @@ PointD normal_of_ends(const std::vector<Piece>& members, std::span<const Approx>
   return {-std::sin(angle), std::cos(angle)};
 }
 
-/// The normal of the member whose direction differs most from that of the first.
+/// The normals of the first member and of the one whose direction differs most from its.
 std::array<PointD, 2> extreme_normals(const std::vector<Piece>& members,
                                       std::span<const Approx> lines) {
   const auto normal = [&](const Piece& piece) {
