@@ -8,18 +8,20 @@ namespace plumbline::compare_steps {
 namespace {
 
 /// Gives each float vertex a number. Both lists are ascending.
-std::vector<Point> joined_points(const Sides& sides, std::vector<std::size_t>& number_of_float) {
+PointList joined_points(const Sides& sides, std::vector<std::size_t>& number_of_float) {
   const FilteredPoints &exacts = sides.points[Exact], &floats = sides.points[Float];
-  std::vector<Point> result(sides[Exact].vertices.begin(), sides[Exact].vertices.end());
+  const auto order = [&](std::size_t v, std::size_t w) {
+    const double x = exacts.rough(v).x, other_x = floats.rough(w).x;
+    if (x != other_x) return x < other_x ? -1 : 1;
+    return PointList::compare(exacts.list(), v, floats.list(), w);
+  };
+  PointList result = exacts.list();
   for (std::size_t v = 0, w = 0; w < floats.size(); ++w) {
-    const PointD& q = floats.rough(w);
-    while (v < exacts.size() &&
-           (exacts.rough(v).x < q.x || (exacts.rough(v).x == q.x && exacts[v] < floats[w]))) {
-      ++v;
-    }
-    const bool is_common = v < exacts.size() && exacts.rough(v).x == q.x && exacts[v] == floats[w];
+    int next = 1;
+    while (v < exacts.size() && (next = order(v, w)) < 0) ++v;
+    const bool is_common = v < exacts.size() && next == 0;
     number_of_float.push_back(is_common ? v : result.size());
-    if (!is_common) result.push_back(floats[w]);
+    if (!is_common) result.push_back(floats.list(), w);
   }
   return result;
 }
@@ -35,21 +37,36 @@ long double fine(const Rational& x) {
 }  // namespace
 
 CommonPoints::CommonPoints(const Sides& sides)
-    : points_(joined_points(sides, number_of_float_)),
-      stored_(points_),
+    : stored_(joined_points(sides, number_of_float_)),
+      made_(stored_.size()),
       filtered_(stored_),
-      fine_(fine_points(points_)) {
+      fine_(fine_points(stored_)) {
   long double largest = 0;
   for (const Fine& p : fine_) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  // The sum of both parts is rounded once; the second one is off by much less.
-  fine_error_ = std::numeric_limits<long double>::epsilon() * largest + 0x1p-1022L;
+  // The integers of a point and their quotient are rounded once each, each time by half an epsilon;
+  // so is the sum of two doubles, of which the second one is off by much less.
+  fine_error_ = 2 * std::numeric_limits<long double>::epsilon() * largest + 0x1p-1022L;
 }
 
-std::vector<CommonPoints::Fine> CommonPoints::fine_points(const std::vector<Point>& points) {
+std::vector<CommonPoints::Fine> CommonPoints::fine_points(const PointList& points) {
   std::vector<Fine> result;
   result.reserve(points.size());
-  for (const Point& p : points) result.push_back({fine(p.x), fine(p.y)});
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (const WidePoint* wide = points.wide(p)) {
+      const auto w = static_cast<long double>(wide->w);
+      result.push_back(
+          {static_cast<long double>(wide->x) / w, static_cast<long double>(wide->y) / w});
+    } else {
+      const Point point = points[p];
+      result.push_back({fine(point.x), fine(point.y)});
+    }
+  }
   return result;
+}
+
+const Point& CommonPoints::point(std::size_t p) const {
+  if (!made_[p]) made_[p] = stored_[p];
+  return *made_[p];
 }
 
 int CommonPoints::orientation(std::size_t p, std::size_t q, std::size_t r) const {
@@ -65,7 +82,7 @@ int CommonPoints::orientation(std::size_t p, std::size_t q, std::size_t r) const
       0x1p-1000L;
   if (det > bound) return 1;
   if (det < -bound) return -1;
-  return plumbline::orientation(points_[p], points_[q], points_[r]);
+  return plumbline::orientation(point(p), point(q), point(r));
 }
 
 }  // namespace plumbline::compare_steps

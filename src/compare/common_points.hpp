@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compare/sides.hpp"
@@ -19,8 +20,9 @@ class CommonPoints {
   std::size_t operator()(Side side, VertexId v) const {
     return side == Exact ? v : number_of_float_[v];
   }
-  std::size_t size() const { return points_.size(); }
-  const Point& point(std::size_t p) const { return points_[p]; }
+  std::size_t size() const { return stored_.size(); }
+  /// Made when first asked for: not for several threads.
+  const Point& point(std::size_t p) const;
   const PointD& rough(std::size_t p) const { return filtered_.rough(p); }
   double error() const { return filtered_.error(); }
   /// -1, 0, +1: r lies right of, on, left of the line from p to q.
@@ -34,11 +36,11 @@ class CommonPoints {
   struct Fine {
     long double x, y;
   };
-  static std::vector<Fine> fine_points(const std::vector<Point>& points);
+  static std::vector<Fine> fine_points(const PointList& points);
 
   std::vector<std::size_t> number_of_float_;
-  const std::vector<Point> points_;  ///< those of the exact side, then the others of the float side
-  const PointList stored_;           ///< the same
+  const PointList stored_;  ///< those of the exact side, then the others of the float side
+  mutable std::vector<std::optional<Point>> made_;
   const FilteredPoints filtered_;
   const std::vector<Fine> fine_;
   long double fine_error_ = 0;  ///< of a coordinate of `fine_`

@@ -37,6 +37,7 @@ Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
   result.exact_counts = counts(exact_complex, exact_complex.vertices.size());
   result.float_counts = counts(other_complex, other_complex.vertices.size());
   const auto append = [&](std::vector<Finding> findings) {
+    result.findings.reserve(result.findings.size() + findings.size());
     std::move(findings.begin(), findings.end(), std::back_inserter(result.findings));
   };
   const auto next_number = [&] { return result.findings.size() + 1; };
@@ -46,21 +47,20 @@ Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
   if (compared == Compared::All && detail == Detail::Full) {
     append(compare_steps::miscoverings(sides, result.findings));
   }
-  const compare_steps::VertexMatch vertices =
-      compare_steps::match_vertices(sides, next_number(), detail);
-  append(vertices.findings);
-  const compare_steps::EdgeMatch edges =
+  compare_steps::VertexMatch vertices = compare_steps::match_vertices(sides, next_number(), detail);
+  append(std::move(vertices.findings));
+  compare_steps::EdgeMatch edges =
       compare_steps::match_edges(sides, vertices, next_number(), detail);
-  append(edges.findings);
+  append(std::move(edges.findings));
   result.matched_vertices = matched(vertices.match[compare_steps::Exact]) - vertices.moved_count;
   result.matched_edges = matched(edges.match[compare_steps::Exact]);
   result.largest_displacement = nearest_sqrt(vertices.largest_squared);
   if (compared == Compared::Graph) return result;
 
   const compare_steps::CycleMatch cycles = compare_steps::match_cycles(sides, edges);
-  const compare_steps::FaceMatch faces =
+  compare_steps::FaceMatch faces =
       compare_steps::match_faces(sides, vertices, edges, cycles, result.float_valid, detail);
-  append(faces.findings);
+  append(std::move(faces.findings));
   if (detail != Detail::ExactCellsOnly) {
     append(compare_steps::nesting(sides, vertices, edges, cycles, faces));
   }

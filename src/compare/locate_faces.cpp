@@ -18,41 +18,49 @@ constexpr double kCrossingSlack = 0x1p-48;
 /// A non-horizontal edge, from its lower to its upper end.
 struct Rising {
   HalfedgeId up;
-  Point low;
-  Point high;
+  VertexId low, high;
   PointD low_d, high_d;
 };
 
-/// Exact order by height; rounding is monotone, so unequal doubles decide.
-bool is_lower(const Point& p, double p_y, const Point& q, double q_y) {
-  return p_y != q_y ? p_y < q_y : p.y < q.y;
-}
+/// The points that are looked for, by ascending heights.
+struct Heights {
+  std::vector<double> rounded;
 
-std::vector<Rising> rising_edges(const ExactComplex& complex) {
-  std::vector<PointD> rounded;
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
-    rounded.push_back(complex.vertices.nearest(v));
+  /// Whether one may be within these heights; rounding is monotone.
+  bool meet(double low, double high) const {
+    const auto first = std::lower_bound(rounded.begin(), rounded.end(), low);
+    return first != rounded.end() && *first <= high;
   }
+};
+
+/// The edges at these heights, by their lower ends. Rounding is monotone, so unequal doubles
+/// decide.
+std::vector<Rising> rising_edges(const ExactComplex& complex, const Heights& heights) {
+  const PointList& points = complex.vertices;
+  std::vector<PointD> rounded;
+  rounded.reserve(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) rounded.push_back(points.nearest(v));
+  const auto height_order = [&](VertexId v, VertexId w) {
+    if (rounded[v].y != rounded[w].y) return rounded[v].y < rounded[w].y ? -1 : 1;
+    return v == w ? 0 : points.compare_y(v, w);
+  };
   std::vector<Rising> result;
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
-    auto [low, high] = complex.edges[e];
-    Point p = complex.vertices[low], q = complex.vertices[high];
-    if (p.y == q.y) continue;
-    if (is_lower(q, rounded[high].y, p, rounded[low].y)) {
-      std::swap(low, high);
-      std::swap(p, q);
+    const auto [tail, head] = complex.edges[e];
+    const auto [low, high] = std::minmax(rounded[tail].y, rounded[head].y);
+    if (!heights.meet(low, high)) continue;
+    const int order = height_order(tail, head);
+    if (order < 0) {
+      result.push_back({halfedge(EdgeId(e), false), tail, head, rounded[tail], rounded[head]});
+    } else if (order > 0) {
+      result.push_back({halfedge(EdgeId(e), true), head, tail, rounded[head], rounded[tail]});
     }
-    result.push_back({halfedge(EdgeId(e), low != complex.edges[e].tail), std::move(p), std::move(q),
-                      rounded[low], rounded[high]});
   }
-  std::stable_sort(result.begin(), result.end(), [](const Rising& a, const Rising& b) {
-    return is_lower(a.low, a.low_d.y, b.low, b.low_d.y);
+  std::stable_sort(result.begin(), result.end(), [&](const Rising& a, const Rising& b) {
+    return height_order(a.low, b.low) < 0;
   });
   return result;
 }
-
-Rational slope(const Rising& e) { return (e.high.x - e.low.x) / (e.high.y - e.low.y); }
-Rational crossing(const Rising& e, const Rational& y) { return e.low.x + (y - e.low.y) * slope(e); }
 
 /// Where the line at height y meets the edge, certainly between `low` and `high`.
 struct Interval {
@@ -71,8 +79,8 @@ Interval approximate_crossing(const Rising& e, double y, double magnitude) {
 
 class Sweep {
  public:
-  Sweep(const ExactComplex& complex, double magnitude)
-      : complex_(complex), magnitude_(magnitude), edges_(rising_edges(complex)) {}
+  Sweep(const ExactComplex& complex, double magnitude, const Heights& heights)
+      : complex_(complex), magnitude_(magnitude), edges_(rising_edges(complex, heights)) {}
 
   /// Requires: called with points of ascending y.
   FaceId locate(const Point& p) {
@@ -94,22 +102,38 @@ class Sweep {
   }
 
  private:
+  /// Whether the vertex, at height y in doubles, is above p.
+  bool is_above(VertexId v, double y, const Point& p, double p_y) const {
+    return y != p_y ? y > p_y : complex_.vertices[v].y > p.y;
+  }
   /// Keeps the edges that reach above the height of p but do not begin above it.
   void advance(const Point& p, double p_y) {
-    while (next_ < edges_.size() && !is_lower(p, p_y, edges_[next_].low, edges_[next_].low_d.y)) {
+    while (next_ < edges_.size() && !is_above(edges_[next_].low, edges_[next_].low_d.y, p, p_y)) {
       active_.push_back(next_++);
     }
     std::erase_if(active_, [&](std::size_t i) {
-      return !is_lower(p, p_y, edges_[i].high, edges_[i].high_d.y);
+      return !is_above(edges_[i].high, edges_[i].high_d.y, p, p_y);
     });
   }
-  static bool is_right_of(const Rising& e, const Point& p) {
-    const int side = cmp(crossing(e, p.y), p.x);
-    return side != 0 ? side > 0 : slope(e) >= 0;
+
+  /// x = at + slope y on the edge.
+  struct Line {
+    Rational slope, at;
+  };
+  Line line(const Rising& e) const {
+    const Point low = complex_.vertices[e.low], high = complex_.vertices[e.high];
+    const Rational slope = (high.x - low.x) / (high.y - low.y);
+    return {slope, low.x - slope * low.y};
   }
-  static bool is_before(const Rising& a, const Rising& b, const Rational& y) {
-    const int by_x = cmp(crossing(a, y), crossing(b, y));
-    return by_x != 0 ? by_x < 0 : slope(a) < slope(b);
+  bool is_right_of(const Rising& e, const Point& p) const {
+    const Line l = line(e);
+    const int side = cmp(Rational(l.at + l.slope * p.y), p.x);
+    return side != 0 ? side > 0 : sgn(l.slope) >= 0;
+  }
+  bool is_before(const Rising& a, const Rising& b, const Rational& y) const {
+    const Line of_a = line(a), of_b = line(b);
+    const int by_x = cmp(Rational(of_a.at + of_a.slope * y), Rational(of_b.at + of_b.slope * y));
+    return by_x != 0 ? by_x < 0 : of_a.slope < of_b.slope;
   }
 
   const ExactComplex& complex_;
@@ -133,11 +157,16 @@ double magnitude_of(const ExactComplex& complex, const std::vector<Point>& point
 
 std::vector<FaceId> locate_all(const ExactComplex& complex, const std::vector<Point>& points) {
   if (points.empty()) return {};
+  std::vector<double> rounded;
+  for (const Point& p : points) rounded.push_back(nearest(p).y);
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return points[a].y < points[b].y; });
-  Sweep sweep(complex, magnitude_of(complex, points));
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return rounded[a] != rounded[b] ? rounded[a] < rounded[b] : points[a].y < points[b].y;
+  });
+  Heights heights;
+  for (const std::size_t i : order) heights.rounded.push_back(rounded[i]);
+  Sweep sweep(complex, magnitude_of(complex, points), heights);
   std::vector<FaceId> result(points.size());
   for (const std::size_t i : order) result[i] = sweep.locate(points[i]);
   return result;

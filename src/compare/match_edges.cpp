@@ -64,6 +64,8 @@ class EdgeMatcher {
   void add(Finding finding);
   Finding finding(Side side, Disagreement disagreement, const std::vector<EdgeId>& here,
                   const std::vector<EdgeId>& there, std::string message) const;
+  void measure_collapsed(Finding& finding, Side side, const std::vector<EdgeId>& edges,
+                         VertexId v) const;
   void set_image(const OpenEdge& open, const Walk& chain);
   Numbers why_lacking(Side side, EdgeId e) const;
 
@@ -127,13 +129,33 @@ Finding EdgeMatcher::finding(Side side, Disagreement disagreement, const std::ve
   result.kind = CellKind::Edge;
   result.disagreement = disagreement;
   result.message = std::move(message);
-  result.where = midpoint(sides_[side], here.back());
+  if (detail_ == Detail::Full) result.where = midpoint(sides_[side], here.back());
   cells(result, side).assign(here.begin(), here.end());
   cells(result, other(side)).assign(there.begin(), there.end());
   for (const Side s : kBothSides) std::sort(cells(result, s).begin(), cells(result, s).end());
   result.segments =
       joined(segments_of(sides_[side], here), segments_of(sides_[other(side)], there));
   return result;
+}
+
+/// Adds to a finding how long the edges are that are vertex v of the other side.
+void EdgeMatcher::measure_collapsed(Finding& finding, Side side, const std::vector<EdgeId>& edges,
+                                    VertexId v) const {
+  Rational longest = 0;
+  for (const EdgeId e : edges) {
+    const Edge& edge = sides_[side].edges[e];
+    longest = std::max(
+        longest, squared_distance(sides_.point(side, edge.tail), sides_.point(side, edge.head)));
+  }
+  finding.where = sides_.point(other(side), v);
+  finding.squared_distance = longest;
+  finding.distance = length(longest);
+  finding.message =
+      fmt::format("{} no longer than {} {} one {} vertex",
+                  counted(edges.size(), fmt::format("one {} edge", name(side)),
+                          fmt::format("{} edges", name(side))),
+                  rough(*finding.distance), side == Exact ? "collapsed into" : "grew out of",
+                  name(other(side)));
 }
 
 /// Edges whose two ends are one vertex of the other side: one finding for each such vertex.
@@ -143,23 +165,9 @@ void EdgeMatcher::report_collapsed(Side side) {
     if (open.from == open.to) by_vertex[open.from].push_back(open.edge);
   }
   for (const auto& [v, edges] : by_vertex) {
-    Rational longest = 0;
-    for (const EdgeId e : edges) {
-      const Edge& edge = sides_[side].edges[e];
-      longest = std::max(
-          longest, squared_distance(sides_.point(side, edge.tail), sides_.point(side, edge.head)));
-      result_.other_image[side][e] = {};
-    }
-    Finding f =
-        finding(side, joining(side), edges, {},
-                fmt::format("{} no longer than {} {} one {} vertex",
-                            counted(edges.size(), fmt::format("one {} edge", name(side)),
-                                    fmt::format("{} edges", name(side))),
-                            rough(length(longest)),
-                            side == Exact ? "collapsed into" : "grew out of", name(other(side))));
-    f.where = sides_.point(other(side), v);
-    f.squared_distance = longest;
-    f.distance = length(longest);
+    for (const EdgeId e : edges) result_.other_image[side][e] = {};
+    Finding f = finding(side, joining(side), edges, {}, {});
+    if (detail_ == Detail::Full) measure_collapsed(f, side, edges, v);
     f.segments = joined(std::move(f.segments), segments_at(sides_, other(side), std::array{v}));
     add(std::move(f));
   }

@@ -79,12 +79,12 @@ void match_equal(VertexMatch& result, const Sides& sides) {
   const FilteredPoints &exacts = sides.points[Exact], &floats = sides.points[Float];
   for (std::size_t v = 0, w = 0; v < exacts.size() && w < floats.size();) {
     const PointD &p = exacts.rough(v), &q = floats.rough(w);
-    if (p.x != q.x) {
-      ++(p.x < q.x ? v : w);
-    } else if (exacts[v] == floats[w]) {
+    const int order =
+        p.x != q.x ? (p.x < q.x ? -1 : 1) : PointList::compare(exacts.list(), v, floats.list(), w);
+    if (order == 0) {
       match(result, VertexId(v++), VertexId(w++));
     } else {
-      ++(exacts[v] < floats[w] ? v : w);
+      ++(order < 0 ? v : w);
     }
   }
 }
@@ -185,22 +185,24 @@ VertexMatch one_to_one(const Sides& sides, const NearVertices& floats) {
 }
 
 /// Vertices that correspond by their edges: matched like others, but listed.
-std::vector<Finding> match_moved(VertexMatch& result, const Sides& sides) {
+std::vector<Finding> match_moved(VertexMatch& result, const Sides& sides, Detail detail) {
   std::vector<Finding> findings;
   for (const auto& [v, w] : moved_vertices(sides, result.match)) {
     match(result, v, w);
     Finding finding;
     finding.kind = CellKind::Vertex;
     finding.disagreement = Disagreement::Moved;
-    finding.where = sides.point(Exact, v);
     finding.exact_cells = {v};
     finding.float_cells = {w};
-    finding.squared_distance = squared_distance(finding.where, sides.point(Float, w));
-    finding.distance = length(*finding.squared_distance);
     finding.segments =
         joined(segments_at(sides, Exact, std::array{v}), segments_at(sides, Float, std::array{w}));
-    finding.message =
-        fmt::format("a vertex lies {} away from where it should", rough(*finding.distance));
+    if (detail == Detail::Full) {
+      finding.where = sides.point(Exact, v);
+      finding.squared_distance = squared_distance(finding.where, sides.point(Float, w));
+      finding.distance = length(*finding.squared_distance);
+      finding.message =
+          fmt::format("a vertex lies {} away from where it should", rough(*finding.distance));
+    }
     findings.push_back(std::move(finding));
   }
   return findings;
@@ -233,13 +235,13 @@ Finding joined_vertices(const Sides& sides, Side side, const std::vector<VertexI
   Finding finding;
   finding.kind = CellKind::Vertex;
   finding.disagreement = joining(side);
-  finding.where = sides.point(other(side), into);
   cells(finding, side).assign(vertices.begin(), vertices.end());
   std::sort(cells(finding, side).begin(), cells(finding, side).end());
   cells(finding, other(side)) = {into};
   finding.segments =
       joined(segments_at(sides, side, vertices), segments_at(sides, other(side), std::array{into}));
   if (detail != Detail::Full) return finding;
+  finding.where = sides.point(other(side), into);
   Rational farthest = 0;
   for (const VertexId v : vertices) {
     farthest = std::max(farthest, squared_distance(sides.point(side, v), finding.where));
@@ -307,7 +309,7 @@ VertexMatch match_vertices(const Sides& sides, std::size_t first_number, Detail 
   const NearVertices exacts(sides.points[Exact]);
   const NearVertices floats(sides.points[Float]);
   VertexMatch result = one_to_one(sides, floats);
-  std::vector<Finding> moved = match_moved(result, sides);
+  std::vector<Finding> moved = match_moved(result, sides, detail);
   result.moved_count = moved.size();
   result.image = result.match;
   for (Finding& finding : moved) add(result, std::move(finding), first_number);

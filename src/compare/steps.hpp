@@ -13,7 +13,7 @@ namespace plumbline::compare_steps {
 /// How much of each finding is wanted.
 enum class Detail {
   Full,
-  CellsOnly,  ///< which cells are in findings: not distances, areas and places of faces
+  CellsOnly,  ///< which cells are in findings: no distances, areas and places but of lone vertices
   /// Of faces only which exact ones are in findings, of holes nothing, of vertices and edges all.
   ExactCellsOnly,
 };

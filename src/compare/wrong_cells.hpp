@@ -8,11 +8,11 @@
 
 namespace plumbline::compare_steps {
 
-/// `compare` for those who ask only which cells are in findings: there are no distances along
-/// edges, of faces no areas, places and reasons why they lack a counterpart; where an invalid
-/// complex overlaps or leaves gaps is not looked for (findings that have other invariants than Area
-/// are all there). Findings of holes and of faces without exact cells can be wrong, unless the
-/// correspondence of faces is asked for, which costs more than all the rest.
+/// `compare` for those who ask only which cells are in findings: there are no distances and
+/// areas, no messages but of cells that lack a counterpart, and places only of vertices that do;
+/// where an invalid complex overlaps or leaves gaps is not looked for (findings that have other
+/// invariants than Area are all there). Findings of holes and of faces without exact cells can be
+/// wrong, unless the correspondence of faces is asked for, which costs more than all the rest.
 Comparison compare_cells(const ExactComplex& exact_complex, const ExactComplex& other_complex,
                          double tolerance, bool with_correspondence);
 Comparison compare_cells(const ExactComplex& exact_complex, const FloatComplex& float_complex,

@@ -22,6 +22,9 @@ class FilteredPoints {
   double error() const { return error_; }
   std::size_t size() const { return rough_.size(); }
 
+  /// The points themselves.
+  const PointList& list() const { return points_; }
+
   /// -1, 0, +1: r lies right of, on, left of the line from p to q.
   int orientation(std::size_t p, std::size_t q, std::size_t r) const {
     const PointD &a = rough_[p], &b = rough_[q], &c = rough_[r];

@@ -76,14 +76,22 @@ PointD PointList::truncated(std::size_t i) const {
   return {wide::truncated_quotient(x, w), wide::truncated_quotient(y, w)};
 }
 
-int PointList::compare(std::size_t i, std::size_t j) const {
-  if (is_wide(i) && is_wide(j)) {
-    const WidePoint &p = wide_[i], &q = wide_[j];
+int PointList::compare(const PointList& a, std::size_t i, const PointList& b, std::size_t j) {
+  if (a.is_wide(i) && b.is_wide(j)) {
+    const WidePoint &p = a.wide_[i], &q = b.wide_[j];
     const int by_x = compare_quotients(p.x, p.w, q.x, q.w);
     return by_x != 0 ? by_x : compare_quotients(p.y, p.w, q.y, q.w);
   }
-  const Point p = (*this)[i], q = (*this)[j];
+  const Point p = a[i], q = b[j];
   return p < q ? -1 : (q < p ? 1 : 0);
+}
+
+int PointList::compare_y(std::size_t i, std::size_t j) const {
+  if (is_wide(i) && is_wide(j)) {
+    return compare_quotients(wide_[i].y, wide_[i].w, wide_[j].y, wide_[j].w);
+  }
+  const int order = cmp((*this)[i].y, (*this)[j].y);
+  return (order > 0) - (order < 0);
 }
 
 std::size_t PointList::count_before(const Point& p) const {
@@ -109,6 +117,14 @@ void PointList::push_back(const Point& point) {
   }
 }
 
+void PointList::push_back(const PointList& other, std::size_t i) {
+  if (other.is_wide(i)) {
+    wide_.push_back(other.wide_[i]);
+  } else {
+    push_back(other[i]);
+  }
+}
+
 void PointList::replace(std::size_t i, const Point& point) {
   if (const auto held = wide_point(point)) {
     wide_[i] = *held;
@@ -123,15 +139,7 @@ void PointList::replace(std::size_t i, const Point& point) {
 bool operator==(const PointList& a, const PointList& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a.is_wide(i) && b.is_wide(i)) {
-      const WidePoint &p = a.wide_[i], &q = b.wide_[i];
-      if (compare_quotients(p.x, p.w, q.x, q.w) != 0 ||
-          compare_quotients(p.y, p.w, q.y, q.w) != 0) {
-        return false;
-      }
-    } else if (a[i] != b[i]) {
-      return false;
-    }
+    if (PointList::compare(a, i, b, i) != 0) return false;
   }
   return true;
 }

@@ -61,6 +61,19 @@ Leading leading_bits(Int128 n, Int128 d) {
   return {q >> dropped, q & (2 * half - 1), half, dropped + d_zeros - m_zeros - 63};
 }
 
+UInt256 shifted(const UInt256& v, int bits) {
+  if (bits == 0) return v;
+  if (bits >= 128) return {v.low << (bits - 128), 0};
+  return {(v.high << bits) | (v.low >> (128 - bits)), v.low << bits};
+}
+
+/// Whether |n| / d is less than first 2^ulp, which is next to it. Requires: first < 2^54. With
+/// that, |n| 2^-ulp is about first d, below 2^181.
+bool is_less(Int128 n, Int128 d, std::uint64_t first, int ulp) {
+  const UInt256 left{0, magnitude(n)}, right = multiply(magnitude(d), first);
+  return ulp < 0 ? shifted(left, -ulp) < right : left < shifted(right, ulp);
+}
+
 /// The least k such that d divides 10^k, if there is one.
 std::optional<int> decimal_places(UInt128 d) {
   const int twos = trailing_zeros(d);
@@ -129,8 +142,12 @@ double nearest_quotient(Int128 n, Int128 d) {
 
 double truncated_quotient(Int128 n, Int128 d) {
   if (n == 0) return 0;
-  const Leading q = leading_bits(n, d);
-  if (q.rest < kError || q.rest + kError >= 2 * q.half) return quotient(n, d).get_d();
+  Leading q = leading_bits(n, d);
+  if (q.rest + kError >= 2 * q.half && !is_less(n, d, q.first + 1, q.ulp)) ++q.first;
+  if (q.rest < kError && is_less(n, d, q.first, q.ulp)) {
+    if (std::has_single_bit(q.first)) return quotient(n, d).get_d();  // it takes a smaller ulp
+    --q.first;
+  }
   const double size = std::ldexp(static_cast<double>(q.first), q.ulp);
   return n < 0 ? -size : size;
 }

@@ -50,7 +50,11 @@ class PointList {
   /// The same, **rounded** towards 0.
   PointD truncated(std::size_t i) const;
   /// Lexicographic order of points i and j, -1, 0 or 1. **Exact**. Requires: both < size().
-  int compare(std::size_t i, std::size_t j) const;
+  int compare(std::size_t i, std::size_t j) const { return compare(*this, i, *this, j); }
+  /// The same of point i of one list and point j of another one.
+  static int compare(const PointList& a, std::size_t i, const PointList& b, std::size_t j);
+  /// Order of points i and j by y alone, -1, 0 or 1. **Exact**. Requires: both < size().
+  int compare_y(std::size_t i, std::size_t j) const;
   /// Of points in ascending order, the number of those before p. Cost: O(log n).
   std::size_t count_before(const Point& p) const;
   /// Point i in machine integers; null where they do not hold it. Requires: i < size().
@@ -58,6 +62,8 @@ class PointList {
 
   void reserve(std::size_t count) { wide_.reserve(count); }
   void push_back(const Point& point);
+  /// Appends point i of another list.
+  void push_back(const PointList& other, std::size_t i);
   /// Makes point i another one. Requires: i < size().
   void replace(std::size_t i, const Point& point);
   /// Brings them into another order: point i becomes the one that was point order[i].
