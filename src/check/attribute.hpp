@@ -8,7 +8,9 @@
 namespace plumbline::check_steps {
 
 /// Of larger drawings, whether later stages would make a finding again is tried only where the
-/// float complex is invalid (Cause::remade): each stage that owns findings takes a run more.
+/// float complex is invalid (Cause::remade): each stage that owns findings takes a run more. Where
+/// such a run gives a larger complex, it is not tried of findings that take the correspondence of
+/// faces.
 inline constexpr std::size_t kMostEdgesRunAgain = 20'000;
 
 /// The comparison of the rounded input, with the causes of its findings.
