@@ -36,6 +36,16 @@ TEST_CASE("workloads have the counts of CGAL's arrangement and of the prototype"
   CHECK(cells(input) == text(known->vertices, known->edges, known->faces));
 }
 
+TEST_CASE("a plan of double walls has the cells that its geometry says") {
+  // Four lines' crossings a corner; a room has two jambs between its lines and an open door.
+  const std::size_t m = 3, lines = 2 * (m + 1);
+  const std::size_t vertices = lines * lines + 5 * m * m;
+  const std::size_t edges = 2 * lines * (lines - 1) + 7 * m * m;
+  const SegmentSet input = inputs::workload("W_3");
+  CHECK(input.segments.size() == 11 * m * m);
+  CHECK(cells(input) == text(vertices, edges, 2 + edges - vertices));
+}
+
 TEST_CASE("hostile inputs have the cells that their geometry says") {
   int known = 0;
   for (const auto& hostile : inputs::hostile()) {

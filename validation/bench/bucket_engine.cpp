@@ -2,6 +2,7 @@
 
 #include "contenders.hpp"
 #include "plumbline/arrange.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
 
@@ -16,12 +17,7 @@ Outcome arranged(const SegmentSet& input, std::size_t threads) {
 }
 
 std::shared_ptr<const std::string> lines_text(const SegmentSet& input) {
-  std::string text;
-  for (const auto& [a, b] : input.segments) {
-    for (const Rational* c : {&a.x, &a.y, &b.x}) text += exact_text(*c) + ",";
-    text += exact_text(b.y) + "\n";
-  }
-  return std::make_shared<const std::string>(std::move(text));
+  return std::make_shared<const std::string>(to_lines(input));
 }
 
 SegmentSet segments_of(const std::string& text) { return evaluate(read_lines(text, "text")); }

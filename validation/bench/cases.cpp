@@ -53,6 +53,17 @@ Case text(const std::string& name) {
   return result;
 }
 
+/// `check` only where it takes some seconds at most: nearly all of R1 is found wrong by it.
+Case command(const std::string& name, bool with_check) {
+  Case result = workload(name, {});
+  result.kind = Kind::Command;
+  result.id = "command_" + name;
+  result.contenders = {"bucket1", "arrange", "json", "compact", "safe"};
+  if (with_check) result.contenders.insert(result.contenders.end(), {"check_fine", "check"});
+  result.absent.clear();
+  return result;
+}
+
 Case hostile(const inputs::Hostile& input, std::size_t index, bool quick) {
   const std::uint64_t size = quick ? input.small_size : input.size;
   Case result;
@@ -73,11 +84,11 @@ Case hostile(const inputs::Hostile& input, std::size_t index, bool quick) {
 std::vector<Case> cases(bool quick, const std::filesystem::path& drawings) {
   static const std::vector<std::string> kQuick{"R1_1e3", "R1_1e4", "R5_5e3", "G_300", "Gr_300",
                                                "D_1e4",  "S_1e4",  "S1_1e3", "F_1e4", "T_30",
-                                               "Q_4e3",  "I_1e4",  "L_1e4"};
+                                               "Q_4e3",  "I_1e4",  "L_1e4",  "W_30"};
   static const std::vector<std::string> kFull{
       "R1_1e4",  "R1_1e5", "R1_1e6", "R1_5e6", "R5_5e3", "R5_1e5", "G_300", "G_1000", "Gr_300",
       "Gr_1000", "D_1e4",  "D_1e5",  "D_1e6",  "S_1e4",  "S_1e5",  "S_1e6", "S1_1e3", "S1_1e4",
-      "F_1e5",   "F_1e6",  "T_100",  "T_300",  "Q_4e4",  "I_1e5",  "I_4e5", "L_1e5"};
+      "F_1e5",   "F_1e6",  "T_100",  "T_300",  "Q_4e4",  "I_1e5",  "I_4e5", "L_1e5",  "W_100"};
   static const std::vector<std::string> kQuickDrawings{"P_1"},
       kFullDrawings{"P_1", "P_10", "P_100"};
   static const std::vector<std::string> kQuickTexts{"R1_1e4"}, kFullTexts{"R1_1e5", "R1_1e6"};
@@ -89,6 +100,12 @@ std::vector<Case> cases(bool quick, const std::filesystem::path& drawings) {
     }
   }
   for (const auto& name : quick ? kQuickTexts : kFullTexts) all.push_back(text(name));
+  if (quick) {
+    all.push_back(command("R1_1e3", true));
+  } else {
+    all.push_back(command("R1_1e4", true));
+    all.push_back(command("R1_1e5", false));
+  }
   std::size_t index = 0;
   for (const auto& input : inputs::hostile()) all.push_back(hostile(input, ++index, quick));
   return all;

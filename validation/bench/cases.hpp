@@ -12,7 +12,7 @@
 namespace plumbline::bench {
 
 /// What a case shows.
-enum class Kind { Workload, Text, Hostile };
+enum class Kind { Workload, Text, Command, Hostile };
 
 /// A contender that does not take part, and why.
 struct Absent {

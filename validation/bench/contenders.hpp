@@ -45,6 +45,15 @@ Job prepare_geos(const SegmentSet& input);
 /// threads.
 Job prepare_read_text(const SegmentSet& input);
 Job prepare_arrange_text(const SegmentSet& input);
+/// Whole commands with one thread, from `.lines` text in memory to the text that they write:
+/// `arrange` to its summary (validated, signature), with -o x.json, with --compact, with --safe
+/// --decimals 6; `check --no-advice` with --radius 1e-9 and with the default radius.
+Job prepare_arrange(const SegmentSet& input);
+Job prepare_json(const SegmentSet& input);
+Job prepare_compact(const SegmentSet& input);
+Job prepare_safe(const SegmentSet& input);
+Job prepare_check_fine(const SegmentSet& input);
+Job prepare_check(const SegmentSet& input);
 
 std::string cgal_version();
 std::string geos_version();
@@ -57,6 +66,12 @@ inline const std::vector<Contender>& contenders() {
       {"geos", "GEOS union + polygonize", prepare_geos},
       {"read", "text to segments", prepare_read_text},
       {"text", "text to arrangement, 2 threads", prepare_arrange_text},
+      {"arrange", "arrange", prepare_arrange},
+      {"json", "arrange -o x.json", prepare_json},
+      {"compact", "arrange -o x.json --compact", prepare_compact},
+      {"safe", "arrange -o x.json --safe --decimals 6", prepare_safe},
+      {"check_fine", "check --radius 1e-9", prepare_check_fine},
+      {"check", "check", prepare_check},
   };
   return all;
 }

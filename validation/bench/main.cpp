@@ -94,7 +94,7 @@ Row run(const Case& input, const Arguments& arguments) {
 /// Whether no exact engine has other cells than the exact ones.
 bool right(const Row& row) {
   std::optional<Cells> exact = row.input.cells;
-  for (const char* id : {"cgal", "bucket1", "bucket2", "text"}) {
+  for (const char* id : {"cgal", "bucket1", "bucket2", "text", "arrange"}) {
     const auto found = row.measures.find(id);
     if (found == row.measures.end() || !found->second.failure.empty()) continue;
     if (!exact) exact = found->second.cells;

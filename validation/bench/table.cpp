@@ -205,6 +205,19 @@ std::string text_line(const Row& row) {
                time_cell(row, "text")});
 }
 
+/// Seconds of the engine and of a whole arrange; what that is in engines and the others in
+/// arranges.
+std::string command_line(const Row& row) {
+  const Number arrange = seconds(row, "arrange");
+  Words words{row.input.title, time_cell(row, "bucket1"), time_cell(row, "arrange"),
+              shown(quotient(arrange, seconds(row, "bucket1")))};
+  for (const char* id : {"json", "compact", "safe", "check_fine", "check"}) {
+    const Number ratio = quotient(seconds(row, id), arrange);
+    words.push_back(ratio ? shown(ratio) : time_cell(row, id));
+  }
+  return line(words);
+}
+
 /// The workload R1 whose number of segments is nearest, by ratio.
 const Row* nearest_r1(const std::vector<Row>& rows, const Row& row) {
   const Row* best = nullptr;
@@ -244,7 +257,7 @@ std::string section(const std::string& title, const Words& titles, const std::st
 }  // namespace
 
 std::string tables(const std::vector<Row>& rows) {
-  std::string times, costs, memory, texts, hostile;
+  std::string times, costs, memory, texts, commands, hostile;
   for (const Row& row : rows) {
     if (row.input.kind == Kind::Workload) {
       times += workload_line(row);
@@ -252,6 +265,8 @@ std::string tables(const std::vector<Row>& rows) {
       memory += memory_line(row);
     } else if (row.input.kind == Kind::Text) {
       texts += text_line(row);
+    } else if (row.input.kind == Kind::Command) {
+      commands += command_line(row);
     } else {
       hostile += hostile_line(row, nearest_r1(rows, row));
     }
@@ -272,6 +287,11 @@ std::string tables(const std::vector<Row>& rows) {
                  {"workload", "coordinates", "text to segments, s", "ns per coordinate",
                   "text to arrangement, 2 threads, s"},
                  texts) +
+         section("Whole commands, one thread, from text to text: seconds, and ratios",
+                 {"workload", "engine, s", "arrange, s", "/ engine", "-o x.json / arrange",
+                  "--compact / arrange", "--safe --decimals 6 / arrange",
+                  "check --radius 1e-9 / arrange", "check / arrange"},
+                 commands) +
          section("Hostile inputs: one thread per (n + V), and as a multiple of the R1 nearest in n",
                  {"input", "n", "V", "E", "F", "1 thread, s", "2 threads, s", "ns per (n + V)",
                   "x R1", "bytes per (n + V)", "x R1", "CGAL, s, one run", "V/E/F"},

@@ -37,6 +37,7 @@ SegmentSet workload(const std::string& name, const std::filesystem::path& direct
   if (family == "Q") return rational_copies(size);
   if (family == "I") return tiny_pieces(size);
   if (family == "L") return streets(size);
+  if (family == "W") return double_walls(size);
   if (family == "P") return tiles(hospital(directory), size, 100, 130);
   throw Error(ErrorCode::BadInput, "not the name of a workload", {}, name);
 }

@@ -314,6 +314,33 @@ SegmentSet streets(std::uint64_t n) {
   return builder.take();
 }
 
+SegmentSet double_walls(std::uint64_t m) {
+  // In thousandths: the sides of a room, half a wall, a door, and what it is open by.
+  constexpr std::int64_t kWidth = 5250, kHeight = 4200, kHalf = 125, kDoor = 900;
+  constexpr Lattice kOpen{450, 779};
+  Random random(44 + m);
+  LatticeBuilder builder(kMilli);
+  for (std::uint64_t i = 0; i < m; ++i) {
+    for (std::uint64_t j = 0; j < m; ++j) {
+      const std::int64_t x = kWidth * static_cast<std::int64_t>(i);
+      const std::int64_t y = kHeight * static_cast<std::int64_t>(j);
+      const std::int64_t low_x = x - kHalf, high_x = x + kWidth + kHalf;
+      const std::int64_t low_y = y - kHalf, high_y = y + kHeight + kHalf;
+      for (const std::int64_t side : {-kHalf, kHalf}) {
+        builder.add({x + side, low_y}, {x + side, high_y});
+        builder.add({x + kWidth + side, low_y}, {x + kWidth + side, high_y});
+        builder.add({low_x, y + side}, {high_x, y + side});
+        builder.add({low_x, y + kHeight + side}, {high_x, y + kHeight + side});
+      }
+      const std::int64_t door = x + kDoor + random.below(kWidth - 3 * kDoor);
+      builder.add({door, y - kHalf}, {door, y + kHalf});
+      builder.add({door + kDoor, y - kHalf}, {door + kDoor, y + kHalf});
+      builder.add({door, y + kHalf}, {door + kOpen.x, y + kHalf + kOpen.y});
+    }
+  }
+  return builder.take();
+}
+
 SegmentSet tiles(const SegmentSet& drawing, std::uint64_t count, int dx, int dy) {
   LatticeBuilder builder(1);
   for (std::uint64_t tile = 0; tile < count; ++tile) {

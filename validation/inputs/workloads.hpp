@@ -36,6 +36,9 @@ SegmentSet turned_rooms(std::uint64_t m);
 SegmentSet rational_copies(std::uint64_t n);
 /// n pieces of length 0.5 in a square of 10,000, 6 decimals: nearly all disjoint.
 SegmentSet tiny_pieces(std::uint64_t n);
+/// m x m rooms behind walls of two lines, which the rooms on both sides draw, and a door in each;
+/// 3 decimals; 11 segments a room.
+SegmentSet double_walls(std::uint64_t m);
 /// n / 50 polylines of 50 edges, 7 decimals. Requires: n a multiple of 50.
 SegmentSet streets(std::uint64_t n);
 /// `count` copies of a drawing, the i-th moved by i (dx, dy).
@@ -51,7 +54,8 @@ SegmentSet hospital(const std::filesystem::path& directory);
 /// A workload by its name and size: R1_1e5 (random_segments), R5_5e3 (random_lines), G_300 (grid),
 /// Gr_300 (turned_grid), D_1e4 (lattice_segments), S_1e4 (stars), S1_1e3 (pencil), F_1e5
 /// (double_segments), T_100 (turned_rooms), Q_4e4 (rational_copies), I_1e5 (tiny_pieces), L_1e5
-/// (streets), P_10 (tiles of the hospital in `directory`). Throws: Error BadInput for another name.
+/// (streets), W_100 (double_walls), P_10 (tiles of the hospital in `directory`). Throws: Error
+/// BadInput for another name.
 SegmentSet workload(const std::string& name, const std::filesystem::path& directory = {});
 
 /// What is known of a workload from elsewhere: counts of CGAL's arrangement and of a prototype that
