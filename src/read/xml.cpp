@@ -128,21 +128,21 @@ void XmlDocument::expand_entities(Entities& entities) const {
   }
 }
 
-Place XmlDocument::place_at(std::size_t offset) const {
+XmlDocument::Position XmlDocument::position_at(std::size_t offset) const {
   const auto next = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
   const auto line = static_cast<std::uint32_t>(next - line_begins_.begin());
-  return {file_, line, static_cast<std::uint32_t>(offset - line_begins_[line - 1] + 1)};
+  return {line, static_cast<std::uint32_t>(offset - line_begins_[line - 1] + 1)};
 }
 
-Place XmlDocument::place(const pugi::xml_node& element) const {
+XmlDocument::Position XmlDocument::position(const pugi::xml_node& element) const {
   const auto name = element.offset_debug();
-  if (name < 1) return {file_, 0, 0};
-  return place_at(static_cast<std::size_t>(name - 1));
+  if (name < 1) return {};
+  return position_at(static_cast<std::size_t>(name - 1));
 }
 
 void XmlDocument::fail(const std::string& message, std::size_t offset,
                        const std::string& text) const {
-  throw Error(ErrorCode::BadInput, message, place_at(offset), text);
+  throw Error(ErrorCode::BadInput, message, place_at(position_at(offset)), text);
 }
 
 }  // namespace plumbline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -14,17 +15,24 @@ namespace plumbline {
 /// root, text outside the root, duplicate attributes, invalid encoding.
 class XmlDocument {
  public:
+  /// From 1; 0 means unknown.
+  struct Position {
+    std::uint32_t line = 0, column = 0;
+  };
+
   /// Throws: Error BadInput with the place, Limit.
   XmlDocument(std::string_view bytes, const std::string& file);
 
   pugi::xml_node root() const { return document_.document_element(); }
   /// Of the element's '<'.
-  Place place(const pugi::xml_node& element) const;
+  Position position(const pugi::xml_node& element) const;
+  Place place(const pugi::xml_node& element) const { return place_at(position(element)); }
 
  private:
   [[noreturn]] void fail(const std::string& message, std::size_t offset,
                          const std::string& text = {}) const;
-  Place place_at(std::size_t offset) const;
+  Position position_at(std::size_t offset) const;
+  Place place_at(Position position) const { return {file_, position.line, position.column}; }
   void parse();
   void check_top_level() const;
   void check_attributes() const;

@@ -18,11 +18,16 @@ void scaled(mpz_class& result, std::int64_t mantissa, int digits) {
   if (digits > 0) result *= power_of_ten(digits);
 }
 
+bool is_identity(const Affine& map) {
+  static const Affine identity(2);
+  return map == identity;
+}
+
 }  // namespace
 
 PlaneMap::PlaneMap(const Affine& map)
     : map_(map),
-      is_identity_(map == Affine(2)),
+      is_identity_(is_identity(map)),
       is_decimal_(std::all_of(map.entries().begin(), map.entries().end(),
                               [](const Number& entry) { return entry.is_decimal(); })) {
   if (is_decimal_) return;

@@ -141,16 +141,16 @@ void EntityReader::add_insert(const Entity& entity, const Source& source, std::s
 void EntityReader::add_drawn(DrawnEntity drawn, const Source& source, std::size_t space,
                              const std::string& layer, bool has_height) {
   Space& in = drawing_.spaces[space];
-  const Source at = in.placed(source, layer);
-  for (const Substitution& item : drawn.replaced) in.tally.replace(at, item);
+  const auto at = [&] { return in.placed(source, layer); };
+  for (const Substitution& item : drawn.replaced) in.tally.replace(at(), item);
   for (const Unusable& problem : drawn.refused) {
     if (problem.text.empty()) {
-      in.tally.leave_out(at, problem.reason);
+      in.tally.leave_out(at(), problem.reason);
     } else {
-      in.tally.refuse(at, problem);
+      in.tally.refuse(at(), problem);
     }
   }
-  if (has_height) in.tally.leave_out(at, kHeightLeftOut);
+  if (has_height) in.tally.leave_out(at(), kHeightLeftOut);
   if (!drawn.segments.empty()) in.add(layer, Model{source, std::move(drawn.segments), {}});
 }
 

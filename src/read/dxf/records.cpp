@@ -35,9 +35,10 @@ class OwnGroups {
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 bool parse_integer(std::string_view text, std::int64_t& value) {
@@ -60,9 +61,11 @@ std::string_view RecordReader::take_line() {
 }
 
 bool RecordReader::next_group() {
-  constexpr std::string_view kNothing = " \t\r\n\x1a";  // 0x1a: the end of files under DOS
+  const auto is_nothing = [](char c) {  // 0x1a: the end of files under DOS
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\x1a';
+  };
   do {
-    if (rest_.find_first_not_of(kNothing) == rest_.npos) return false;
+    if (std::all_of(rest_.begin(), rest_.end(), is_nothing)) return false;
     const std::string_view code_text = take_line();
     std::int64_t code = 0;
     if (!parse_integer(code_text, code) || code < INT32_MIN || code > INT32_MAX) {

@@ -38,7 +38,7 @@ std::string_view prefix(std::string_view name) {
 const char* declared_prefix(const pugi::xml_attribute& attribute) {
   constexpr std::string_view kXmlns = "xmlns";
   const char* const name = attribute.name();
-  if (std::strncmp(name, kXmlns.data(), kXmlns.size()) != 0) return nullptr;
+  if (*name != 'x' || std::strncmp(name, kXmlns.data(), kXmlns.size()) != 0) return nullptr;
   const char* const rest = name + kXmlns.size();
   if (*rest == '\0') return "";
   return *rest == ':' ? rest + 1 : nullptr;

@@ -323,8 +323,8 @@ class SvgReader {
   }
 
   Source source_of(const pugi::xml_node& element) const {
-    const Place place = document_.place(element);
-    return {0, place.line, place.column, element.name(), std::string(attribute(element, "id")), {}};
+    const auto [line, column] = document_.position(element);
+    return {0, line, column, element.name(), std::string(attribute(element, "id")), {}};
   }
 
   Source source_with_path(const pugi::xml_node& element, const std::string& path) const {
