@@ -43,6 +43,7 @@ struct Rounded {
     CHECK(again.complex == rounding.complex);
     CHECK(changes(rounding.complex, again).moved_vertices.empty());
     CHECK(is_kept_by_simple_rounding(rounding.complex, grid));
+    CHECK(rounding.valid_as_doubles == is_kept_by_simple_rounding(rounding.complex, {}));
   }
 
   ExactComplex exact_complex;

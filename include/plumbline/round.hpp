@@ -33,6 +33,9 @@ struct Rounding {
   std::vector<VertexId> vertex_image;  ///< per exact vertex
   Lists<HalfedgeId> edge_image;        ///< per exact edge from tail to head; empty: it vanished
   std::vector<FaceId> face_origin;     ///< per rounded face the exact face that it is (a part) of
+  /// Whether a reader that takes the coordinates as doubles has a valid complex with the same
+  /// incidences: `is_kept_by_simple_rounding`.
+  bool valid_as_doubles = true;
 
   /// Whether vertices, edges and faces correspond one to one, with all their incidences.
   bool has_same_incidences() const { return method != RoundingMethod::SnapRounded; }

@@ -63,7 +63,7 @@ SafeOutput safe_output(const ArrangeArguments& arguments, const Drawing& drawing
   SafeOutput output;
   output.line = line(drawing, arguments.grid, rounding);
   const std::string kind = ending(*arguments.output);
-  if (arguments.grid.decimals && !is_kept_by_simple_rounding(rounding.complex, Grid{})) {
+  if (!rounding.valid_as_doubles) {
     if (kind == ".svg") {
       throw Error(ErrorCode::BadInput,
                   "a picture holds doubles, which so many --decimals are too fine for; ask for "

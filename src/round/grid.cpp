@@ -16,7 +16,7 @@ std::string to_text(const Grid& grid) {
 namespace round_steps {
 namespace {
 
-Rational power_of_ten(int exponent) {
+mpz_class power_of_ten(int exponent) {
   mpz_class power;
   mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
   return power;
@@ -34,7 +34,7 @@ Rational distance_of_doubles(double value) {
 Rational spacing(const ExactComplex& complex, const Grid& grid) {
   if (grid.decimals) {
     if (*grid.decimals >= 0 && *grid.decimals <= Grid::kMaxDecimals) {
-      return 1 / power_of_ten(*grid.decimals);
+      return {1, power_of_ten(*grid.decimals)};
     }
     throw Error(
         ErrorCode::BadInput,
@@ -62,7 +62,7 @@ mpz_class nearest_integer(const Rational& value) {
 
 bool is_on(const Grid& grid, const Rational& coordinate) {
   if (!grid.decimals) return rational_from(nearest_double(coordinate)) == coordinate;
-  return Rational(coordinate * power_of_ten(*grid.decimals)).get_den() == 1;
+  return power_of_ten(*grid.decimals) % coordinate.get_den() == 0;
 }
 
 }  // namespace round_steps

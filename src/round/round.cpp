@@ -59,7 +59,10 @@ Places on_grid(const Places& centres, const Rational& spacing) {
 }
 
 void ensure_coordinates_within_limit(const ExactComplex& complex) {
-  for (const Point& p : complex.vertices) {
+  static_assert(WidePoint::kBits < kMaxCoordinateBits);
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
+    if (complex.vertices.wide(v) != nullptr) continue;
+    const Point p = complex.vertices[v];
     if (!is_within_limit(p)) {
       throw Error(ErrorCode::Limit, "a coordinate is beyond 8.7e99", {}, to_text(p));
     }
@@ -72,6 +75,9 @@ Rounding finished(const ExactComplex& complex, const Grid& grid, Rounding roundi
   rounding.face_origin =
       face_origins(complex, rounding.complex, rounding.vertex_image, rounding.edge_image);
   ensure_rounded(complex, grid, rounding);
+  if (grid.decimals) {
+    rounding.valid_as_doubles = is_kept_by_simple_rounding(rounding.complex, Grid{});
+  }
   return rounding;
 }
 

@@ -79,24 +79,21 @@ void write_rounding(Writer& json, const ExactComplex& exact, const Grid& grid,
   const Changes found = changes(exact, rounding);
   const bool is_same = rounding.has_same_incidences();
   const std::vector<Rational> areas = is_same ? std::vector<Rational>() : face_areas(exact);
-  json.part(member("rounding",
-                   object(member("grid", to_text(grid)), member("method", name(rounding.method)),
-                          member("same_incidences", is_same), member("spacing", rounding.spacing),
-                          member("bound", Rational(rounding.spacing / 2)),
-                          member("verified", true),  // else there was no Rounding
-                          when(grid.decimals,
-                               [&] {
-                                 return member("valid_as_doubles",
-                                               is_kept_by_simple_rounding(rounding.complex, {}));
-                               }),
-                          member("largest_movement", distance(found.largest_squared_movement())),
-                          when(!is_same, [&] {
-                            return members(
-                                member("largest_bend", distance(found.largest_squared_bend())),
-                                vertex_changes(exact, rounding, found),
-                                edge_changes(exact, rounding, found),
-                                face_changes(exact, areas, found));
-                          }))));
+  json.part(
+      member("rounding",
+             object(member("grid", to_text(grid)), member("method", name(rounding.method)),
+                    member("same_incidences", is_same), member("spacing", rounding.spacing),
+                    member("bound", Rational(rounding.spacing / 2)),
+                    member("verified", true),  // else there was no Rounding
+                    when(grid.decimals,
+                         [&] { return member("valid_as_doubles", rounding.valid_as_doubles); }),
+                    member("largest_movement", distance(found.largest_squared_movement())),
+                    when(!is_same, [&] {
+                      return members(member("largest_bend", distance(found.largest_squared_bend())),
+                                     vertex_changes(exact, rounding, found),
+                                     edge_changes(exact, rounding, found),
+                                     face_changes(exact, areas, found));
+                    }))));
 }
 
 }  // namespace
