@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "number/wide.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/number.hpp"
 
@@ -65,6 +66,9 @@ double nearest_double(const Rational& value) {
   if (is_exact_integer(value.get_num()) && is_exact_integer(value.get_den())) {
     return value.get_num().get_d() / value.get_den().get_d();  // IEEE division rounds correctly
   }
+  const auto by_first_bits =
+      wide::nearest_by_first_bits(value.get_num_mpz_t(), value.get_den_mpz_t());
+  if (by_first_bits) return *by_first_bits;
   const mpz_class n = abs(value.get_num());
   const mpz_class& d = value.get_den();
   const long exponent = binary_exponent(n, d);

@@ -49,16 +49,64 @@ struct Leading {
 };
 constexpr std::uint64_t kError = 2;
 
-// With n' = |n| and d' = d shifted to where their first bits are set, and q the quotient of n' / 2
-// and the first 64 bits of d': n' / d' 2^63 is between q - 2 (since q < 2^64 and what is left out
-// of d' is below 2^-63 of it) and q + 2.
-Leading leading_bits(Int128 n, Int128 d) {
-  const UInt128 m = magnitude(n), divisor = magnitude(d);
-  const int m_zeros = leading_zeros(m), d_zeros = leading_zeros(divisor);
-  const auto q = low(((m << m_zeros) >> 1) / high(divisor << d_zeros));
+/// The first 128 bits of a positive integer, the highest of them set, and how many it has.
+struct Top {
+  UInt128 bits;
+  int length;
+};
+Top top(UInt128 v) {
+  const int zeros = leading_zeros(v);
+  return {v << zeros, 128 - zeros};
+}
+Top top(mpz_srcptr z) {
+  const auto size = static_cast<mp_size_t>(mpz_size(z));
+  const auto word = [&](mp_size_t i) { return i < size ? mpz_getlimbn(z, size - 1 - i) : 0; };
+  const int zeros = std::countl_zero(word(0));
+  UInt128 bits = (static_cast<UInt128>(word(0)) << 64 | word(1)) << zeros;
+  if (zeros != 0) bits |= word(2) >> (64 - zeros);
+  return {bits, 64 * static_cast<int>(size) - zeros};
+}
+
+// With n' and d' = |n| and d shifted to where their first bits are set, and q the quotient of the
+// first 127 bits of n' and the first 64 of d': n' / d' 2^63 is between q - 2 (since q < 2^64 and
+// what is left out of d' is below 2^-63 of it) and q + 2 (since what is left out of n' is below 1).
+Leading leading_bits(const Top& n, const Top& d) {
+  const auto q = low((n.bits >> 1) / high(d.bits));
   const int dropped = 64 - std::countl_zero(q) - std::numeric_limits<double>::digits;
   const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
-  return {q >> dropped, q & (2 * half - 1), half, dropped + d_zeros - m_zeros - 63};
+  return {q >> dropped, q & (2 * half - 1), half, dropped + n.length - d.length - 63};
+}
+Leading leading_bits(Int128 n, Int128 d) {
+  return leading_bits(top(magnitude(n)), top(magnitude(d)));
+}
+
+// Of a positive quotient; nothing where the first bits do not tell.
+std::optional<double> nearest(const Leading& q) {
+  if (q.rest + kError >= q.half && q.rest <= q.half + kError) return {};
+  return std::ldexp(static_cast<double>(q.first + (q.rest > q.half ? 1 : 0)), q.ulp);
+}
+std::optional<double> truncated(const Leading& q) {
+  if (q.rest < kError || q.rest + kError >= 2 * q.half) return {};
+  return std::ldexp(static_cast<double>(q.first), q.ulp);
+}
+
+/// The same of integers of any size: nothing, too, where doubles are not as dense as elsewhere.
+template <class Round>
+std::optional<double> by_first_bits(mpz_srcptr n, mpz_srcptr d, Round round) {
+  if (mpz_sgn(n) == 0) return 0;
+  constexpr int kDense = 900;
+  const Leading q = leading_bits(top(n), top(d));
+  if (std::abs(q.ulp) > kDense) return {};
+  const std::optional<double> size = round(q);
+  return size && mpz_sgn(n) < 0 ? -*size : size;
+}
+
+/// n / d, not in lowest terms.
+Rational fraction_of(const mpz_class& n, const mpz_class& d) {
+  Rational result;
+  result.get_num() = n;
+  result.get_den() = d;
+  return result;
 }
 
 UInt256 shifted(const UInt256& v, int bits) {
@@ -134,10 +182,18 @@ int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {
 
 double nearest_quotient(Int128 n, Int128 d) {
   if (n == 0) return 0;
-  const Leading q = leading_bits(n, d);
-  if (q.rest + kError >= q.half && q.rest <= q.half + kError) return nearest_double(quotient(n, d));
-  const double size = std::ldexp(static_cast<double>(q.first + (q.rest > q.half ? 1 : 0)), q.ulp);
-  return n < 0 ? -size : size;
+  const std::optional<double> size = nearest(leading_bits(n, d));
+  if (!size) return nearest_double(quotient(n, d));
+  return n < 0 ? -*size : *size;
+}
+
+std::optional<double> nearest_by_first_bits(mpz_srcptr n, mpz_srcptr d) {
+  return by_first_bits(n, d, nearest);
+}
+
+double nearest_quotient(const mpz_class& n, const mpz_class& d) {
+  const auto by_bits = nearest_by_first_bits(n.get_mpz_t(), d.get_mpz_t());
+  return by_bits ? *by_bits : nearest_double(fraction_of(n, d));
 }
 
 double truncated_quotient(Int128 n, Int128 d) {
@@ -150,6 +206,11 @@ double truncated_quotient(Int128 n, Int128 d) {
   }
   const double size = std::ldexp(static_cast<double>(q.first), q.ulp);
   return n < 0 ? -size : size;
+}
+
+double truncated_quotient(const mpz_class& n, const mpz_class& d) {
+  const auto by_bits = by_first_bits(n.get_mpz_t(), d.get_mpz_t(), truncated);
+  return by_bits ? *by_bits : fraction_of(n, d).get_d();
 }
 
 Fraction lowest(Int128 n, Int128 d) {
@@ -170,6 +231,12 @@ Rational quotient(Int128 n, Int128 d) {
   assign(result.get_num_mpz_t(), magnitude(f.n));
   assign(result.get_den_mpz_t(), magnitude(f.d));
   if (n < 0) mpz_neg(result.get_num_mpz_t(), result.get_num_mpz_t());
+  return result;
+}
+
+Rational quotient(const mpz_class& n, const mpz_class& d) {
+  Rational result = fraction_of(n, d);
+  result.canonicalize();
   return result;
 }
 

@@ -53,9 +53,13 @@ int compare_products(Int128 a, Int128 b, Int128 c, Int128 d);
 
 /// The double nearest to n / d, ties to even. **Rounded** correctly. Requires: d > 0.
 double nearest_quotient(Int128 n, Int128 d);
+double nearest_quotient(const mpz_class& n, const mpz_class& d);
+/// The same, where the first bits of both tell it.
+std::optional<double> nearest_by_first_bits(mpz_srcptr n, mpz_srcptr d);
 
 /// The double next to n / d towards 0, or the same, as `Rational::get_d`. Requires: d > 0.
 double truncated_quotient(Int128 n, Int128 d);
+double truncated_quotient(const mpz_class& n, const mpz_class& d);
 
 /// The integer as GMP's.
 mpz_class integer(Int128 v);
@@ -67,6 +71,7 @@ struct Fraction {
 /// n / d. **Exact**. Requires: d > 0.
 Fraction lowest(Int128 n, Int128 d);
 Rational quotient(Int128 n, Int128 d);
+Rational quotient(const mpz_class& n, const mpz_class& d);
 /// The same number, where 127 bits hold both its numerator and its denominator.
 std::optional<Fraction> fraction(const Rational& value);
 
