@@ -8,6 +8,7 @@
 
 #include "arrange/bucket/filtered_kernel.hpp"
 #include "arrange/bucket/grid_kernel.hpp"
+#include "geometry/stored.hpp"
 #include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "support/segments.hpp"
@@ -87,10 +88,10 @@ TEST_CASE("the grid holds numbers of all kinds, near the origin and far from it"
     const bucket::FilteredKernel kernel(*grid, job);
     for (std::size_t s = 0; s < drawn.size(); ++s) {
       const auto line = static_cast<bucket::LineId>(s);
-      CHECK(kernel.point(bucket::first_end(line)) == std::min(drawn[s].a, drawn[s].b));
-      CHECK(kernel.point(bucket::last_end(line)) == std::max(drawn[s].a, drawn[s].b));
+      CHECK(lowest(kernel.point(bucket::first_end(line))) == std::min(drawn[s].a, drawn[s].b));
+      CHECK(lowest(kernel.point(bucket::last_end(line))) == std::max(drawn[s].a, drawn[s].b));
     }
-    CHECK(kernel.crossing(0, 2) == bucket::FilteredKernel(set, job).crossing(0, 2));
+    CHECK(lowest(kernel.crossing(0, 2)) == lowest(bucket::FilteredKernel(set, job).crossing(0, 2)));
   }
 }
 
@@ -278,4 +279,32 @@ TEST_CASE("a line whose width is the prime of the keys has the key of its neighb
   }
   const SegmentSet overlap = segments("0 0 " + p + " 3  0 0 " + p2 + " 6");
   CHECK(summary(arrange(overlap)).substr(0, 7) == "V 3 E 2");
+}
+
+TEST_CASE("integers of a fixed size are added, multiplied and compared as GMP does") {
+  std::mt19937_64 random(4);
+  const auto integer = [&] {  // of any length, often next to a power of two
+    const mpz_class one = 1, v = one << (random() % 250);
+    const mpz_class below =
+        random() % 2 == 0 ? mpz_class(v - 1) : mpz_class(v / (1 + random() % 9));
+    return random() % 2 == 0 ? below : mpz_class(-below);
+  };
+  using Short = FixedInteger<4>;
+  for (int i = 0; i < 20000; ++i) {
+    const mpz_class m = integer(), n = random() % 10 == 0 ? m : integer();
+    const Short a(m.get_mpz_t()), b(n.get_mpz_t());
+    REQUIRE(to_mpz(a) == m);
+    REQUIRE(to_mpz(a + b) == m + n);
+    REQUIRE(to_mpz(a - b) == m - n);
+    REQUIRE(to_mpz(-a) == -m);
+    REQUIRE(to_mpz(product(a, b)) == m * n);
+    REQUIRE((a < b) == (m < n));
+    REQUIRE((a > b) == (m > n));
+    REQUIRE((a == b) == (m == n));
+    REQUIRE(sign(a) == sgn(m));
+    REQUIRE(a.bits() == (m == 0 ? 0 : static_cast<int>(mpz_sizeinbase(m.get_mpz_t(), 2))));
+    REQUIRE(compare_products(a, a, b, b) == bucket::sign(cmp(m * m, n * n)));
+    const auto low = static_cast<bucket::Int128>(random()) * static_cast<std::int64_t>(random());
+    REQUIRE(to_mpz(FixedInteger<2>(low)) == bucket::to_mpz(low));
+  }
 }

@@ -85,9 +85,33 @@ TEST_CASE("points of a list compare as the points that they are") {
 
 TEST_CASE("equal lists are equal in whatever terms their points are") {
   const PointList lowest{{Rational(1, 2), 3}, {Rational(1, 3), Rational(1, 6)}};
-  CHECK(PointList({{2, 12, 4}, {4, 2, 12}}) == lowest);
-  CHECK_FALSE(PointList({{2, 12, 4}, {4, 3, 12}}) == lowest);
-  CHECK_FALSE(PointList({{2, 12, 4}}) == lowest);
+  const auto wide = [](std::vector<WidePoint> points) { return PointList(std::move(points)); };
+  CHECK(wide({{2, 12, 4}, {4, 2, 12}}) == lowest);
+  CHECK_FALSE(wide({{2, 12, 4}, {4, 3, 12}}) == lowest);
+  CHECK_FALSE(wide({{2, 12, 4}}) == lowest);
+}
+
+TEST_CASE("points in integers of any size are read as they are in lowest terms") {
+  std::vector<Point> points = some_points(300);
+  std::vector<LongPoint> unreduced;
+  for (const Point& p : points) {
+    const mpz_class k = mpz_class(12) << (unreduced.size() % 300);
+    unreduced.push_back({p.x.get_num() * p.y.get_den() * k, p.y.get_num() * p.x.get_den() * k,
+                         p.x.get_den() * p.y.get_den() * k});
+  }
+  const PointList list(unreduced), expected{std::span<const Point>(points)};
+  REQUIRE(list == expected);
+  std::size_t wide = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    REQUIRE(list[i] == points[i]);
+    REQUIRE(list.nearest(i) == expected.nearest(i));
+    REQUIRE(list.truncated(i) == expected.truncated(i));
+    const std::size_t j = (i + 1) % points.size();
+    REQUIRE(list.compare(i, j) == expected.compare(i, j));
+    wide += list.wide(i) != nullptr ? 1 : 0;
+  }
+  CHECK(wide > 0);
+  CHECK(wide < points.size() / 2);
 }
 
 TEST_CASE("points are replaced and brought into another order") {

@@ -9,6 +9,7 @@
 
 #include "arrange/bucket/engine.hpp"
 #include "arrange/within_limit.hpp"
+#include "geometry/stored.hpp"
 #include "plumbline/arrange.hpp"
 
 namespace plumbline {
@@ -91,9 +92,9 @@ Point Arrangement::point(VertexId v) const {
   const bucket::MeetingId m = implementation_->chains.meeting[v];
   return std::visit(
       [&](const auto& kernel) {
-        if (m < 2 * kernel.size()) return kernel.point(m);
+        if (m < 2 * kernel.size()) return lowest(kernel.point(m));
         const bucket::Crossing& c = implementation_->crossings[m - 2 * kernel.size()];
-        return kernel.crossing(c.s, c.o);
+        return lowest(kernel.crossing(c.s, c.o));
       },
       implementation_->kernel);
 }

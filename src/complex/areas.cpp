@@ -14,24 +14,17 @@ struct Fraction {
   mpz_class n, d;
 };
 
-/// The point (x / w, y / w).
-struct Place {
-  mpz_class x, y, w;
-};
-
-Place place(const PointList& points, std::size_t i) {
+LongPoint place(const PointList& points, std::size_t i) {
   if (const WidePoint* p = points.wide(i)) {
     return {wide::integer(p->x), wide::integer(p->y), wide::integer(p->w)};
   }
-  const Point p = points[i];
-  return {p.x.get_num() * p.y.get_den(), p.y.get_num() * p.x.get_den(),
-          p.x.get_den() * p.y.get_den()};
+  return points.long_point(i);
 }
 
 /// Twice the signed area to the left of the chain of points, from the origin.
-Fraction twice_area(std::span<const Place> chain) {
+Fraction twice_area(std::span<const LongPoint> chain) {
   if (chain.size() == 2) {
-    const Place &p = chain[0], &q = chain[1];
+    const LongPoint &p = chain[0], &q = chain[1];
     return {p.x * q.y - q.x * p.y, p.w * q.w};
   }
   const std::size_t middle = chain.size() / 2;
@@ -40,7 +33,7 @@ Fraction twice_area(std::span<const Place> chain) {
 }
 
 Rational area(const ExactComplex& complex, CycleId cycle) {
-  std::vector<Place> chain;
+  std::vector<LongPoint> chain;
   chain.reserve(complex.cycles[cycle].size() + 1);
   for (const HalfedgeId h : complex.cycles[cycle]) {
     chain.push_back(place(complex.vertices, complex.origin(h)));

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "geometry/stored.hpp"
 #include "number/wide.hpp"
 
 namespace plumbline {
@@ -26,37 +28,58 @@ std::optional<Int128> integer(mpz_srcptr z) {
   return mpz_sgn(z) < 0 ? -size : size;
 }
 
-/// a b, where it is within the bounds of a WidePoint.
-std::optional<Int128> product(Int128 a, Int128 b) {
-  Int128 result = 0;
-  if (__builtin_mul_overflow(a, b, &result)) return {};
-  if ((wide::magnitude(result) >> WidePoint::kBits) != 0) return {};
-  return result;
+std::optional<WidePoint> wide_point(const LongPoint& p) {
+  const auto x = integer(p.x.get_mpz_t()), y = integer(p.y.get_mpz_t());
+  const auto w = integer(p.w.get_mpz_t());
+  if (!x || !y || !w) return {};
+  return WidePoint{*x, *y, *w};
 }
 
-std::optional<WidePoint> wide_point(const Point& p) {
-  const auto x = integer(p.x.get_num_mpz_t()), y = integer(p.y.get_num_mpz_t());
-  const auto d = integer(p.x.get_den_mpz_t()), e = integer(p.y.get_den_mpz_t());
-  if (!x || !y || !d || !e) return {};
-  if (*d == *e) return WidePoint{*x, *y, *d};
-  const auto common = static_cast<Int128>(wide::gcd(wide::magnitude(*d), wide::magnitude(*e)));
-  const auto wx = product(*x, *e / common), wy = product(*y, *d / common);
-  const auto w = product(*d, *e / common);
-  if (!wx || !wy || !w) return {};
-  return WidePoint{*wx, *wy, *w};
+/// With the least common denominator.
+LongPoint long_point(const Point& p) {
+  const mpz_class &d = p.x.get_den(), &e = p.y.get_den();
+  if (d == e) return {p.x.get_num(), p.y.get_num(), d};
+  const mpz_class w = lcm(d, e);
+  return {p.x.get_num() * (w / d), p.y.get_num() * (w / e), w};
+}
+LongPoint long_point(const PointList& points, std::size_t i) {
+  const WidePoint* p = points.wide(i);
+  if (p == nullptr) return points.long_point(i);
+  return {wide::integer(p->x), wide::integer(p->y), wide::integer(p->w)};
+}
+
+int compare_quotients(const mpz_class& x1, const mpz_class& w1, const mpz_class& x2,
+                      const mpz_class& w2) {
+  const int order = cmp(x1 * w2, x2 * w1);
+  return (order > 0) - (order < 0);
+}
+
+/// Lexicographic order.
+template <class Stored>
+int compare_points(const Stored& p, const Stored& q) {
+  const int by_x = compare_quotients(p.x, p.w, q.x, q.w);
+  return by_x != 0 ? by_x : compare_quotients(p.y, p.w, q.y, q.w);
 }
 
 }  // namespace
+
+Point lowest(const LongPoint& point) {
+  return {wide::quotient(point.x, point.w), wide::quotient(point.y, point.w)};
+}
 
 PointList::PointList(std::span<const Point> points) {
   reserve(points.size());
   for (const Point& p : points) push_back(p);
 }
 
+PointList::PointList(std::vector<LongPoint> points) {
+  reserve(points.size());
+  for (LongPoint& p : points) push_back(std::move(p));
+}
+
 const Point PointList::operator[](std::size_t i) const {
-  if (!is_wide(i)) return other(i);
-  const auto& [x, y, w] = wide_[i];
-  return {wide::quotient(x, w), wide::quotient(y, w)};
+  if (const WidePoint* p = wide(i)) return {wide::quotient(p->x, p->w), wide::quotient(p->y, p->w)};
+  return lowest(long_point(i));
 }
 
 Point PointList::at(std::size_t i) const {
@@ -65,33 +88,30 @@ Point PointList::at(std::size_t i) const {
 }
 
 PointD PointList::nearest(std::size_t i) const {
-  if (!is_wide(i)) return plumbline::nearest(other(i));
-  const auto& [x, y, w] = wide_[i];
-  return {wide::nearest_quotient(x, w), wide::nearest_quotient(y, w)};
+  const auto at = [](const auto& p) {
+    return PointD{wide::nearest_quotient(p.x, p.w), wide::nearest_quotient(p.y, p.w)};
+  };
+  return is_wide(i) ? at(wide_[i]) : at(long_point(i));
 }
 
 PointD PointList::truncated(std::size_t i) const {
-  if (!is_wide(i)) return {other(i).x.get_d(), other(i).y.get_d()};
-  const auto& [x, y, w] = wide_[i];
-  return {wide::truncated_quotient(x, w), wide::truncated_quotient(y, w)};
+  const auto at = [](const auto& p) {
+    return PointD{wide::truncated_quotient(p.x, p.w), wide::truncated_quotient(p.y, p.w)};
+  };
+  return is_wide(i) ? at(wide_[i]) : at(long_point(i));
 }
 
 int PointList::compare(const PointList& a, std::size_t i, const PointList& b, std::size_t j) {
-  if (a.is_wide(i) && b.is_wide(j)) {
-    const WidePoint &p = a.wide_[i], &q = b.wide_[j];
-    const int by_x = compare_quotients(p.x, p.w, q.x, q.w);
-    return by_x != 0 ? by_x : compare_quotients(p.y, p.w, q.y, q.w);
-  }
-  const Point p = a[i], q = b[j];
-  return p < q ? -1 : (q < p ? 1 : 0);
+  if (a.is_wide(i) && b.is_wide(j)) return compare_points(a.wide_[i], b.wide_[j]);
+  return compare_points(plumbline::long_point(a, i), plumbline::long_point(b, j));
 }
 
 int PointList::compare_y(std::size_t i, std::size_t j) const {
   if (is_wide(i) && is_wide(j)) {
     return compare_quotients(wide_[i].y, wide_[i].w, wide_[j].y, wide_[j].w);
   }
-  const int order = cmp((*this)[i].y, (*this)[j].y);
-  return (order > 0) - (order < 0);
+  const LongPoint p = plumbline::long_point(*this, i), q = plumbline::long_point(*this, j);
+  return compare_quotients(p.y, p.w, q.y, q.w);
 }
 
 std::size_t PointList::count_before(const Point& p) const {
@@ -107,32 +127,34 @@ std::size_t PointList::count_before(const Point& p) const {
   return begin;
 }
 
-void PointList::push_back(const Point& point) {
-  wide_.push_back({0, 0, 0});
+void PointList::push_back(LongPoint point) {
   if (const auto held = wide_point(point)) {
-    wide_.back() = *held;
+    wide_.push_back(*held);
   } else {
-    wide_.back().x = static_cast<Int128>(others_.size());
-    others_.push_back(point);
+    wide_.push_back({static_cast<Int128>(long_.size()), 0, 0});
+    long_.push_back(std::move(point));
   }
 }
+
+void PointList::push_back(const Point& point) { push_back(plumbline::long_point(point)); }
 
 void PointList::push_back(const PointList& other, std::size_t i) {
   if (other.is_wide(i)) {
     wide_.push_back(other.wide_[i]);
   } else {
-    push_back(other[i]);
+    push_back(other.long_point(i));
   }
 }
 
 void PointList::replace(std::size_t i, const Point& point) {
-  if (const auto held = wide_point(point)) {
+  LongPoint other = plumbline::long_point(point);
+  if (const auto held = wide_point(other)) {
     wide_[i] = *held;
   } else if (is_wide(i)) {
-    wide_[i] = {static_cast<Int128>(others_.size()), 0, 0};
-    others_.push_back(point);
+    wide_[i] = {static_cast<Int128>(long_.size()), 0, 0};
+    long_.push_back(std::move(other));
   } else {
-    others_[static_cast<std::size_t>(wide_[i].x)] = point;
+    long_[static_cast<std::size_t>(wide_[i].x)] = std::move(other);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "number/fixed_integer.hpp"
 #include "number/wide.hpp"
 
 namespace plumbline {
@@ -25,20 +26,39 @@ std::optional<Int128> difference(Int128 a, Int128 b, Int128 c, Int128 d) {
   return result;
 }
 
-/// In machine integers; nothing where they do not suffice.
-std::optional<bool> is_on_line(const WidePoint& p, std::span<const Number, 4> segment) {
+/// A segment of decimals, all times one power of ten.
+struct Scaled {
+  Int128 ax, ay, bx, by, scale;
+};
+std::optional<Scaled> scaled(std::span<const Number, 4> segment) {
   int digits = 0;
   for (const Number& n : segment) {
     if (!n.is_decimal()) return {};
     digits = std::max(digits, n.digits());
   }
-  const auto scaled = [&](const Number& n) {
+  const auto at = [&](const Number& n) {
     return Int128{n.mantissa()} * wide::kPowersOfTen[digits - n.digits()];
   };
-  const Int128 ax = scaled(segment[0]), ay = scaled(segment[1]), scale = wide::kPowersOfTen[digits];
-  const auto ux = difference(p.x, scale, ax, p.w), uy = difference(p.y, scale, ay, p.w);
+  return Scaled{at(segment[0]), at(segment[1]), at(segment[2]), at(segment[3]),
+                wide::kPowersOfTen[digits]};
+}
+
+/// In integers of a fixed size; nothing where they do not suffice.
+std::optional<bool> is_on_line(const WidePoint& p, const Scaled& s) {
+  const auto ux = difference(p.x, s.scale, s.ax, p.w), uy = difference(p.y, s.scale, s.ay, p.w);
   if (!ux || !uy) return {};
-  return wide::compare_products(scaled(segment[2]) - ax, *uy, scaled(segment[3]) - ay, *ux) == 0;
+  return wide::compare_products(s.bx - s.ax, *uy, s.by - s.ay, *ux) == 0;
+}
+std::optional<bool> is_on_line(const LongPoint& p, const Scaled& s) {
+  using Coordinate = FixedInteger<4>;  // its products with scaled coordinates have 6 words
+  using Difference = FixedInteger<8>;
+  for (const mpz_class* z : {&p.x, &p.y, &p.w}) {
+    if (mpz_size(z->get_mpz_t()) > 4) return {};
+  }
+  const Coordinate x(p.x.get_mpz_t()), y(p.y.get_mpz_t()), w(p.w.get_mpz_t());
+  const Difference ux = product(x, Coordinate(s.scale)) - product(Coordinate(s.ax), w);
+  const Difference uy = product(y, Coordinate(s.scale)) - product(Coordinate(s.ay), w);
+  return product(Difference(s.bx - s.ax), uy) == product(Difference(s.by - s.ay), ux);
 }
 
 }  // namespace
@@ -52,8 +72,10 @@ bool is_at(const PointList& points, std::size_t i, const Number& x, const Number
 }
 
 bool is_on_line(const PointList& points, std::size_t i, std::span<const Number, 4> segment) {
-  if (const WidePoint* p = points.wide(i)) {
-    if (const auto decided = is_on_line(*p, segment)) return *decided;
+  if (const auto s = scaled(segment)) {
+    const WidePoint* p = points.wide(i);
+    const auto decided = p != nullptr ? is_on_line(*p, *s) : is_on_line(points.long_point(i), *s);
+    if (decided) return *decided;
   }
   return orientation({segment[0].rational(), segment[1].rational()},
                      {segment[2].rational(), segment[3].rational()}, points[i]) == 0;

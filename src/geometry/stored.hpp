@@ -6,6 +6,9 @@
 
 namespace plumbline {
 
+/// The point in lowest terms.
+Point lowest(const LongPoint& point);
+
 /// Whether point i of a list is the point (x, y). **Exact**.
 bool is_at(const PointList& points, std::size_t i, const Number& x, const Number& y);
 

@@ -20,9 +20,14 @@ struct WidePoint {
   Integer x = 0, y = 0, w = 1;
 };
 
+/// The point (x / w, y / w) in integers of any size, not necessarily in lowest terms; w > 0.
+struct LongPoint {
+  mpz_class x, y, w;
+};
+
 /// A sequence of points that stores 48 bytes each: a WidePoint, or where that does not hold the
-/// point, which one of a list of Points it is. `operator[]` and iterators make the Point: keep it
-/// where it is needed more than once. What else there is reads a point as it is stored.
+/// point, which one of a list of LongPoints it is. `operator[]` and iterators make the Point: keep
+/// it where it is needed more than once. What else there is reads a point as it is stored.
 class PointList {
  public:
   using value_type = Point;
@@ -33,6 +38,7 @@ class PointList {
       : PointList(std::span(points.begin(), points.size())) {}
   explicit PointList(std::span<const Point> points);
   explicit PointList(std::vector<WidePoint> points) : wide_(std::move(points)) {}
+  explicit PointList(std::vector<LongPoint> points);
 
   std::size_t size() const { return wide_.size(); }
   bool empty() const { return wide_.empty(); }
@@ -59,6 +65,10 @@ class PointList {
   std::size_t count_before(const Point& p) const;
   /// Point i in machine integers; null where they do not hold it. Requires: i < size().
   const WidePoint* wide(std::size_t i) const { return is_wide(i) ? &wide_[i] : nullptr; }
+  /// Point i in integers of any size. Requires: i < size(), wide(i) is null.
+  const LongPoint& long_point(std::size_t i) const {
+    return long_[static_cast<std::size_t>(wide_[i].x)];
+  }
 
   void reserve(std::size_t count) { wide_.reserve(count); }
   void push_back(const Point& point);
@@ -79,10 +89,10 @@ class PointList {
 
  private:
   bool is_wide(std::size_t i) const { return wide_[i].w != 0; }
-  const Point& other(std::size_t i) const { return others_[static_cast<std::size_t>(wide_[i].x)]; }
+  void push_back(LongPoint point);
 
-  std::vector<WidePoint> wide_;  ///< with w = 0 the point others_[x]
-  std::vector<Point> others_;
+  std::vector<WidePoint> wide_;  ///< with w = 0 the point long_[x]
+  std::vector<LongPoint> long_;
 };
 
 }  // namespace plumbline

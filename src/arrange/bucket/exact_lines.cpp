@@ -1,6 +1,8 @@
 #include "arrange/bucket/exact_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "arrange/bucket/prime_field.hpp"
 
@@ -36,6 +38,18 @@ std::uint64_t residue(const Rational& value) {
   return d == 0 ? field::kNoResidue : field::multiply(residue(value.get_num()), field::inverse(d));
 }
 
+/// The same integer in a type whose products are those that points need.
+template <class Factor, class Integer>
+Factor factor(const Integer& v) {
+  if constexpr (std::is_same_v<Integer, Int256>) {
+    return Factor(magnitude(v), sign(v) < 0);
+  } else if constexpr (std::is_same_v<Integer, mpz_class> && !std::is_same_v<Factor, mpz_class>) {
+    return Factor(v.get_mpz_t());
+  } else {
+    return Factor(v);
+  }
+}
+
 Rational quotient_of(const mpz_class& n, const mpz_class& d) {
   Rational r(n, d);
   r.canonicalize();
@@ -44,80 +58,71 @@ Rational quotient_of(const mpz_class& n, const mpz_class& d) {
 
 }  // namespace
 
-mpz_class to_mpz(UInt128 v) {
-  mpz_class result = static_cast<unsigned long>(v >> 64);
-  result <<= 64;
-  result += static_cast<unsigned long>(static_cast<std::uint64_t>(v));
-  return result;
-}
-mpz_class to_mpz(std::int64_t v) { return static_cast<long>(v); }
-mpz_class to_mpz(Int128 v) {
-  return v < 0 ? mpz_class(-to_mpz(magnitude(v))) : to_mpz(magnitude(v));
-}
-
-mpz_class to_mpz(const Int256& v) {
-  const UInt256 m = magnitude(v);
-  mpz_class result = to_mpz(m.high);
-  result <<= 128;
-  result += to_mpz(m.low);
-  return sign(v) < 0 ? mpz_class(-result) : result;
-}
-
-Int256 to_int256(const mpz_class& v) {
-  const auto limb = [&](int i) { return UInt128{mpz_getlimbn(v.get_mpz_t(), i)}; };
-  const Int256 m(static_cast<Int128>(limb(3) << 64U | limb(2)), limb(1) << 64U | limb(0));
-  return sgn(v) < 0 ? -m : m;
-}
-
 template <class C>
 LineId ExactLines<C>::join(EndId a, EndId b) {
+  Line joined{x(a), y(a), x(b), y(b)};
   if constexpr (kWeighted) {
-    lines_.push_back({weighted(x(a), b), weighted(y(a), b), weighted(x(b), a), weighted(y(b), a),
-                      weighted(lines_[line_of(a)][4], b)});
-  } else {
-    lines_.push_back({x(a), y(a), x(b), y(b)});
+    joined[4] = lines_[line_of(a)][4];
+    if (!have_one_weight(line_of(a), line_of(b))) {
+      joined = {C(weighted(x(a), b)), C(weighted(y(a), b)), C(weighted(x(b), a)),
+                C(weighted(y(b), a)), C(weighted(joined[4], b))};
+    }
   }
+  lines_.push_back(std::move(joined));
   return static_cast<LineId>(lines_.size() - 1);
 }
 
 template <class C>
 void ExactLines<C>::reorder(const std::vector<LineId>& order, Job& job) {
   std::vector<Line> lines(order.size());
-  job.for_each(order.size(), [&](std::size_t i) { std::swap(lines[i], lines_[order[i]]); });
+  job.for_each(order.size(), [&](std::size_t i) { lines[i] = std::move(lines_[order[i]]); });
   lines_ = std::move(lines);
 }
 
 // The supporting line is y = slope x + height with slope = dy / dx and height = (ay - slope ax) /
-// weight; all divisions by dx of a block are made with one inversion (Montgomery 1987).
+// weight; all divisions of a block are made with one inversion (Montgomery 1987).
 template <class C>
 void ExactLines<C>::keys(std::size_t begin, std::size_t end, std::uint64_t* key) const {
+  struct Divisors {
+    std::uint64_t dx, weight;
+    std::uint64_t product() const {
+      return field::multiply(std::max(dx, 1UL), std::max(weight, 1UL));
+    }
+  };
+  const auto divisors = [&](LineId s) {
+    Divisors d{residue(dx(s)), 1};
+    if constexpr (kWeighted) d.weight = residue(lines_[s][4]);
+    return d;
+  };
   std::uint64_t all = 1;
   for (std::size_t s = begin; s < end; ++s) {
     key[s - begin] = all;
-    const std::uint64_t d = residue(dx(static_cast<LineId>(s)));
-    if (d != 0) all = field::multiply(all, d);
+    all = field::multiply(all, divisors(static_cast<LineId>(s)).product());
   }
   std::uint64_t inverse = field::inverse(all);
   for (std::size_t i = end; i-- > begin;) {
     const auto s = static_cast<LineId>(i);
     std::uint64_t& k = key[i - begin];
-    const std::uint64_t d = residue(dx(s)), before = k;
-    std::uint64_t per_weight = 1;
-    if constexpr (kWeighted) per_weight = field::inverse(residue(lines_[s][4]));
+    const Divisors d = divisors(s);
+    const std::uint64_t inverse_of_product = field::multiply(inverse, k);
+    inverse = field::multiply(inverse, d.product());
     const auto place = [&](const C& v) {
-      return field::multiply(residue(Difference(v)), per_weight);
+      const std::uint64_t r = residue(Difference(v));
+      return kWeighted
+                 ? field::multiply(r, field::multiply(inverse_of_product, std::max(d.dx, 1UL)))
+                 : r;
     };
     const std::uint64_t ax = place(lines_[s][0]), ay = place(lines_[s][1]);
-    if (per_weight == 0 || (d == 0 && dx(s) != 0)) {
+    if (d.weight == 0 || (d.dx == 0 && sign(dx(s)) != 0)) {
       k = key_of_rationals(s);
-    } else if (d != 0) {
-      const std::uint64_t slope = field::multiply(residue(dy(s)), field::multiply(inverse, before));
+    } else if (d.dx != 0) {
+      const std::uint64_t slope =
+          field::multiply(residue(dy(s)), field::multiply(inverse_of_product, d.weight));
       k = field::key(slope, field::subtract(ay, field::multiply(slope, ax)));
     } else {
       k = is_point(s) ? field::key(field::kPoint, field::key(ax, ay))
                       : field::key(field::kVertical, ax);
     }
-    if (d != 0) inverse = field::multiply(inverse, d);
   }
 }
 
@@ -125,11 +130,11 @@ void ExactLines<C>::keys(std::size_t begin, std::size_t end, std::uint64_t* key)
 template <class C>
 std::uint64_t ExactLines<C>::key_of_rationals(LineId s) const {
   mpz_class weight = 1;
-  if constexpr (kWeighted) weight = lines_[s][4];
+  if constexpr (kWeighted) weight = to_mpz(lines_[s][4]);
   const Rational ax = quotient_of(to_mpz(Difference(lines_[s][0])), weight);
   const Rational ay = quotient_of(to_mpz(Difference(lines_[s][1])), weight);
   if (is_point(s)) return field::key(field::kPoint, field::key(residue(ax), residue(ay)));
-  if (dx(s) == 0) return field::key(field::kVertical, residue(ax));
+  if (sign(dx(s)) == 0) return field::key(field::kVertical, residue(ax));
   const Rational slope = quotient_of(to_mpz(dy(s)), to_mpz(dx(s)));
   return field::key(residue(slope), residue(Rational(ay - slope * ax)));
 }
@@ -183,25 +188,27 @@ int ExactLines<C>::compare_heights(LineId s, LineId o, EndId end) const {
 }
 
 template <class C>
-Point ExactLines<C>::point(EndId end) const {
-  mpz_class divisor = frame_.scale;
-  if constexpr (kWeighted) divisor *= lines_[line_of(end)][4];
-  return {quotient_of(to_mpz(Difference(x(end))) + frame_.x, divisor),
-          quotient_of(to_mpz(Difference(y(end))) + frame_.y, divisor)};
+LongPoint ExactLines<C>::point(EndId end) const {
+  mpz_class w = frame_.scale;
+  if constexpr (kWeighted) w *= to_mpz(lines_[line_of(end)][4]);
+  return {to_mpz(Difference(x(end))) + frame_.x, to_mpz(Difference(y(end))) + frame_.y,
+          std::move(w)};
 }
 
+// With the frame's point c: (a + c) + n / d (b - a), over the scale or the weight.
 template <class C>
-Point ExactLines<C>::crossing(LineId s, LineId o) const {
+LongPoint ExactLines<C>::crossing(LineId s, LineId o) const {
+  using Factor = typename Arithmetic<C>::Factor;
   const auto [n, d] = fraction(s, o);
-  const mpz_class numerator = to_mpz(n), denominator = to_mpz(d);
-  mpz_class divisor = denominator * frame_.scale;
-  if constexpr (kWeighted) divisor *= lines_[s][4];
+  const Factor numerator = factor<Factor>(n), denominator = factor<Factor>(d);
+  Factor scale = factor<Factor>(frame_.scale);
+  if constexpr (kWeighted) scale = Factor(lines_[s][4]);
   const auto at = [&](const C& from, const Difference& difference, const mpz_class& middle) {
-    return quotient_of(
-        (to_mpz(Difference(from)) + middle) * denominator + to_mpz(difference) * numerator,
-        divisor);
+    return to_mpz(product(factor<Factor>(from) + factor<Factor>(middle), denominator) +
+                  product(factor<Factor>(difference), numerator));
   };
-  return {at(lines_[s][0], dx(s), frame_.x), at(lines_[s][1], dy(s), frame_.y)};
+  return {at(lines_[s][0], dx(s), frame_.x), at(lines_[s][1], dy(s), frame_.y),
+          to_mpz(product(scale, denominator))};
 }
 
 template class ExactLines<std::int32_t>;

@@ -5,54 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "arrange/bucket/arithmetic.hpp"
 #include "arrange/bucket/job.hpp"
 #include "arrange/bucket/types.hpp"
-#include "arrange/bucket/wide.hpp"
-#include "plumbline/geometry.hpp"
+#include "plumbline/geometry/point_list.hpp"
 
 namespace plumbline::bucket {
-
-/// The numbers that predicates of lines need: differences of coordinates, and products of two of
-/// these with sums of them. Where numbers are weighted, each line has a denominator of its own.
-template <class Coordinate>
-struct Arithmetic;
-/// Of 30 bits: differences need 31, products and sums of them 63, with the sign 64.
-template <>
-struct Arithmetic<std::int32_t> {
-  using Difference = std::int64_t;
-  using Product = std::int64_t;
-  static constexpr int kBits = 30;
-  static constexpr bool kWeighted = false;
-};
-/// Of 124 bits: differences need 125, products and sums of them 252, with the sign 253.
-template <>
-struct Arithmetic<Int128> {
-  using Difference = Int128;
-  using Product = Int256;
-  static constexpr int kBits = 124;
-  static constexpr bool kWeighted = false;
-};
-template <>
-struct Arithmetic<mpz_class> {
-  using Difference = mpz_class;
-  using Product = mpz_class;
-  static constexpr bool kWeighted = true;
-};
-
-inline int sign(const mpz_class& v) { return sgn(v); }
-inline mpz_class product(const mpz_class& a, const mpz_class& b) { return a * b; }
-inline int compare_products(const mpz_class& a, const mpz_class& b, const mpz_class& c,
-                            const mpz_class& d) {
-  return cmp(a * b, c * d);
-}
-
-mpz_class to_mpz(std::int64_t v);
-mpz_class to_mpz(UInt128 v);
-mpz_class to_mpz(Int128 v);
-mpz_class to_mpz(const Int256& v);
-inline const mpz_class& to_mpz(const mpz_class& v) { return v; }
-/// Requires: |v| < 2^255.
-Int256 to_int256(const mpz_class& v);
 
 /// Where integers are in the drawing: (c + (x, y)) / scale.
 struct Frame {
@@ -114,8 +72,9 @@ class ExactLines {
   /// Order of the heights of s and o just right of an end's x. Requires: both are met there.
   int compare_heights(LineId s, LineId o, EndId end) const;
 
-  Point point(EndId end) const;
-  Point crossing(LineId s, LineId o) const;
+  /// The points, not in lowest terms.
+  LongPoint point(EndId end) const;
+  LongPoint crossing(LineId s, LineId o) const;
 
  protected:
   const Coordinate& x(EndId end) const { return lines_[line_of(end)][is_last(end) ? 2 : 0]; }
@@ -129,7 +88,7 @@ class ExactLines {
   /// A number times the weight of a line, or of an end's line.
   Difference weighted(const Coordinate& v, EndId end) const {
     if constexpr (kWeighted) {
-      return v * lines_[line_of(end)][4];
+      return product(v, lines_[line_of(end)][4]);
     } else {
       return v;
     }
@@ -138,9 +97,9 @@ class ExactLines {
     if (have_one_weight(line_of(p), line_of(q))) return v < w ? -1 : (w < v ? 1 : 0);
     return sign(Difference(weighted(v, q) - weighted(w, p)));
   }
-  Product weighted_product(const Product& v, LineId s) const {
+  Product weighted_product(const Difference& v, LineId s) const {
     if constexpr (kWeighted) {
-      return v * lines_[s][4];
+      return product(v, Difference(lines_[s][4]));
     } else {
       return v;
     }

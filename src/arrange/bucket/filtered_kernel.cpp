@@ -193,10 +193,10 @@ int FilteredKernel::compare_x(LineId s, LineId o, EndId end) const {
 int FilteredKernel::compare_heights(LineId s, LineId o, EndId end) const {
   return std::visit([&](const auto& exact) { return exact.compare_heights(s, o, end); }, exact_);
 }
-Point FilteredKernel::point(EndId end) const {
+LongPoint FilteredKernel::point(EndId end) const {
   return std::visit([&](const auto& exact) { return exact.point(end); }, exact_);
 }
-Point FilteredKernel::crossing(LineId s, LineId o) const {
+LongPoint FilteredKernel::crossing(LineId s, LineId o) const {
   return std::visit([&](const auto& exact) { return exact.crossing(s, o); }, exact_);
 }
 

@@ -88,8 +88,8 @@ class FilteredKernel {
   int compare_x(LineId s, LineId o, EndId end) const;
   int compare_heights(LineId s, LineId o, EndId end) const;
 
-  Point point(EndId end) const;
-  Point crossing(LineId s, LineId o) const;
+  LongPoint point(EndId end) const;
+  LongPoint crossing(LineId s, LineId o) const;
 
  private:
   static double reach(const Approx& l) {
