@@ -8,6 +8,7 @@
 
 #include "arrange/bucket/filtered_kernel.hpp"
 #include "arrange/bucket/grid_kernel.hpp"
+#include "arrange/bucket/weighted_input.hpp"
 #include "geometry/stored.hpp"
 #include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
@@ -111,19 +112,26 @@ struct ExactKernels {
     bucket::Job job = serial();
     const bucket::GridInput grid = *bucket::GridInput::from(input, job);
     std::vector<bucket::ExactLines<mpz_class>::Line> lines;
+    std::vector<bucket::ExactLines<bucket::Words>::Line> words;
     for (const auto& line : grid.lines) {
       const mpz_class weight(static_cast<int>(lines.size() % 3 + 1));
       lines.emplace_back();
+      words.emplace_back();
       for (std::size_t k = 0; k < line.size(); ++k) {
         lines.back()[k] = bucket::to_mpz(line[k]) * weight;
       }
       lines.back()[4] = weight;
+      for (std::size_t k = 0; k < 5; ++k) {
+        words.back()[k] = bucket::Words(lines.back()[k].get_mpz_t());
+      }
     }
     wide = {grid.lines, grid.frame};
     weighted = {lines, grid.frame};
+    short_weighted = {words, grid.frame};
   }
   bucket::ExactLines<bucket::Int128> wide;
   bucket::ExactLines<mpz_class> weighted;
+  bucket::ExactLines<bucket::Words> short_weighted;
 };
 
 /// An exact kernel as one that also relates pairs, by its sides alone.
@@ -161,6 +169,7 @@ TEST_CASE("all kernels decide alike at the limits of their grids") {
   const ExactKernels exact(input);
   const std::string expected = decisions(Sides(exact.weighted));
   CHECK(decisions(Sides(exact.wide)) == expected);
+  CHECK(decisions(Sides(exact.short_weighted)) == expected);
   CHECK(decisions(bucket::FilteredKernel(*grid, job)) == expected);
   CHECK(decisions(bucket::FilteredKernel(input, job)) == expected);
   if (bucket::GridKernel::fits(*grid)) CHECK(decisions(bucket::GridKernel(*grid)) == expected);
@@ -180,7 +189,56 @@ TEST_CASE("all kernels decide alike on every family of random segments") {
     const ExactKernels exact(input);
     CHECK(decisions(Sides(exact.wide)) == expected);
     CHECK(decisions(Sides(exact.weighted)) == expected);
+    CHECK(decisions(Sides(exact.short_weighted)) == expected);
   }
+}
+
+TEST_CASE("fractions of 255 bits are decided and located like those of any size") {
+  using bucket::Words;
+  const mpz_class most = (mpz_class(1) << 255) - 1, least = -most;
+  // Two weights; a long slanted line, one that crosses it, and points a hair off both.
+  const std::vector<std::array<mpz_class, 5>> numbers{{least, least, most, most - 1, most},
+                                                      {least, most, most, least + 1, most - 1},
+                                                      {0, 0, most, 1 - most, most - 1},
+                                                      {least + 1, least, 1, 0, most},
+                                                      {0, 0, 1, 1, 1}};
+  std::vector<bucket::ExactLines<mpz_class>::Line> lines;
+  std::vector<bucket::ExactLines<Words>::Line> words;
+  for (const auto& line : numbers) {
+    lines.push_back(line);
+    words.emplace_back();
+    for (std::size_t k = 0; k < 5; ++k) words.back()[k] = Words(line[k].get_mpz_t());
+  }
+  const Sides any(bucket::ExactLines<mpz_class>(lines, {}));
+  const Sides fixed(bucket::ExactLines<Words>(words, {}));
+  CHECK(decisions(fixed) == decisions(any));
+  CHECK(decisions(Sides(bucket::of_any_size(fixed))) == decisions(any));
+  CHECK(lowest(fixed.crossing(0, 1)) == lowest(any.crossing(0, 1)));
+  CHECK(lowest(fixed.point(3)) == lowest(any.point(3)));
+  CHECK(fixed.can_join(0, 7));
+  CHECK_FALSE(fixed.can_join(0, 2));
+  CHECK(fixed.can_join(8, 9));
+}
+
+TEST_CASE("segments that overlap are joined though the fractions of the whole are too long") {
+  // On the line from (0, 0) to (3, 1), with denominators of 200 bits that have nothing in common.
+  const auto fraction = [](unsigned long base, unsigned long power, unsigned long numerator) {
+    mpz_class d;
+    mpz_ui_pow_ui(d.get_mpz_t(), base, power);
+    return Rational(numerator * (d / 8) + 1, d);
+  };
+  const std::vector<Rational> at{fraction(3, 126, 1), fraction(5, 86, 3), fraction(7, 71, 2),
+                                 fraction(11, 58, 5)};
+  SegmentSet input;
+  const SourceId source = input.add_source({});
+  const auto add = [&](const Rational& from, const Rational& to) {
+    input.add(Segment{{3 * from, from}, {3 * to, to}}, source);
+  };
+  add(at[0], at[1]);
+  add(at[2], at[3]);
+  input.add(Segment{{1, 1}, {Rational(4, 5), -1}}, source);
+  CHECK(arrange(input) == arrange(input, ExactEngine::Cgal));
+  CHECK(arrange(input).edges.size() == 6);
 }
 
 TEST_CASE("lines on one supporting line have one key, whatever the kernel") {

@@ -32,6 +32,17 @@ struct Arithmetic<Int128> {
   static constexpr int kBits = 124;
   static constexpr bool kWeighted = false;
 };
+/// Of 255 bits, as weights: differences need 256, products with weights 510, differences of these
+/// 511, and products and sums of all these at most 769.
+using Words = FixedInteger<4>;
+template <>
+struct Arithmetic<Words> {
+  using Difference = FixedInteger<8>;
+  using Product = FixedInteger<16>;
+  using Factor = Product;
+  static constexpr int kBits = 255;
+  static constexpr bool kWeighted = true;
+};
 template <>
 struct Arithmetic<mpz_class> {
   using Difference = mpz_class;

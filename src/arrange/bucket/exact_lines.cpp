@@ -18,6 +18,10 @@ double quotient(const mpz_class& n, const mpz_class& d) {
   const double b = mpz_get_d_2exp(&d_exponent, d.get_mpz_t());
   return std::ldexp(a / b, static_cast<int>(std::max(n_exponent - d_exponent, -2000L)));
 }
+template <int N>
+double quotient(const FixedInteger<N>& n, const FixedInteger<N>& d) {
+  return quotient(to_mpz(n), to_mpz(d));
+}
 template <class Integer>
 double quotient(const Integer& n, const Integer& d) {
   return to_double(n) / to_double(d);
@@ -30,6 +34,14 @@ std::uint64_t residue(Int128 v) {
       field::reduced(field::reduced(static_cast<std::uint64_t>(m)) +
                      field::multiply(8, field::reduced(static_cast<std::uint64_t>(m >> 64))));
   return v < 0 ? field::subtract(0, r) : r;
+}
+template <int N>
+std::uint64_t residue(const FixedInteger<N>& v) {
+  std::uint64_t r = 0;
+  for (int i = v.length(); i-- > 0;) {
+    r = field::reduced(field::multiply(8, r) + field::reduced(v.words()[i]));  // 2^64 = 8
+  }
+  return v.size() < 0 ? field::subtract(0, r) : r;
 }
 std::uint64_t residue(const mpz_class& v) { return mpz_fdiv_ui(v.get_mpz_t(), field::kPrime); }
 /// Of a rational in lowest terms; kNoResidue if it has none.
@@ -70,6 +82,20 @@ LineId ExactLines<C>::join(EndId a, EndId b) {
   }
   lines_.push_back(std::move(joined));
   return static_cast<LineId>(lines_.size() - 1);
+}
+
+template <class C>
+bool ExactLines<C>::can_join(EndId a, EndId b) const {
+  if constexpr (std::is_same_v<C, Words>) {
+    const LineId s = line_of(a), o = line_of(b);
+    const auto bits = [](const C& v, const C& w, const C& weight) {
+      return std::max(v.bits(), w.bits()) + weight.bits();
+    };
+    return have_one_weight(s, o) ||
+           std::max({bits(x(a), y(a), lines_[o][4]), bits(x(b), y(b), lines_[s][4]),
+                     bits(lines_[s][4], {}, lines_[o][4])}) <= Arithmetic<C>::kBits;
+  }
+  return true;
 }
 
 template <class C>
@@ -213,6 +239,7 @@ LongPoint ExactLines<C>::crossing(LineId s, LineId o) const {
 
 template class ExactLines<std::int32_t>;
 template class ExactLines<Int128>;
+template class ExactLines<Words>;
 template class ExactLines<mpz_class>;
 
 }  // namespace plumbline::bucket

@@ -36,7 +36,10 @@ class ExactLines {
   std::size_t size() const { return lines_.size(); }
   const Line& operator[](LineId s) const { return lines_[s]; }
   /// Adds the line from one end to another, which lies on it or is the same point.
+  /// Requires: `can_join`.
   LineId join(EndId a, EndId b);
+  /// Whether the numbers of that line are not too long.
+  bool can_join(EndId a, EndId b) const;
   /// Takes back the last ones that were joined.
   void resize(std::size_t size) { lines_.resize(size); }
   /// The lines in another order, without those left out.
@@ -135,6 +138,7 @@ class ExactLines {
 
 extern template class ExactLines<std::int32_t>;
 extern template class ExactLines<Int128>;
+extern template class ExactLines<Words>;
 extern template class ExactLines<mpz_class>;
 
 }  // namespace plumbline::bucket

@@ -12,7 +12,8 @@ namespace plumbline::bucket {
 
 /// Lines with any rational coordinates. Doubles with a certified bound of their error come first;
 /// what they cannot decide is decided in integers: of 124 bits on a common grid, where there is
-/// one, else of any size, with a denominator for each line. The same interface as GridKernel.
+/// one, else with a denominator for each line, of 255 bits, or where not all are, of any size. The
+/// same interface as GridKernel.
 class FilteredKernel {
  public:
   /// Of a parameter that doubles tell.
@@ -129,7 +130,7 @@ class FilteredKernel {
   int exact_compare_x(EndId p, EndId q) const;
   double exact_parameter(LineId s, LineId o) const;
 
-  std::variant<ExactLines<Int128>, ExactLines<mpz_class>> exact_;
+  std::variant<ExactLines<Int128>, ExactLines<Words>, ExactLines<mpz_class>> exact_;
   std::vector<Approx> approx_;
 };
 
