@@ -70,6 +70,11 @@ bool FilteredKernel::exact_is_point(LineId s) const {
   return std::visit([&](const auto& exact) { return exact.is_point(s); }, exact_);
 }
 int FilteredKernel::exact_side(LineId s, EndId end) const {
+  // Mostly it is one of its ends, which is told without a product.
+  const PointD p = place(end);
+  for (const EndId e : {first_end(s), last_end(s)}) {
+    if (place(e) == p && exact_compare(e, end) == 0) return 0;
+  }
   return std::visit([&](const auto& exact) { return exact.side(s, end); }, exact_);
 }
 int FilteredKernel::exact_compare(EndId p, EndId q) const {

@@ -38,6 +38,16 @@ class FilteredKernel {
   /// are very large or small.
   Approx approx(LineId s) const { return approx_[s]; }
 
+  /// Whether an end of s is the same point as one of o.
+  bool share_end(LineId s, LineId o) const {
+    for (const EndId p : {first_end(s), last_end(s)}) {
+      for (const EndId q : {first_end(o), last_end(o)}) {
+        if (place(p) == place(q) && exact_compare(p, q) == 0) return true;
+      }
+    }
+    return false;
+  }
+
   Relation relate(LineId s, LineId o) const {
     const Approx &l = approx_[s], &m = approx_[o];
     const double dx = l.bx - l.ax, dy = l.by - l.ay, ex = m.bx - m.ax, ey = m.by - m.ay;

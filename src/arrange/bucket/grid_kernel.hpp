@@ -26,6 +26,15 @@ class GridKernel : public ExactLines<std::int32_t> {
     return {double(c[0]), double(c[1]), double(c[2]), double(c[3])};
   }
 
+  /// Whether an end of s is the same point as one of o.
+  bool share_end(LineId s, LineId o) const {
+    const Line &c = (*this)[s], &d = (*this)[o];
+    const auto same = [](std::int32_t x, std::int32_t y, std::int32_t u, std::int32_t v) {
+      return ((x ^ u) | (y ^ v)) == 0;
+    };
+    return same(c[0], c[1], d[0], d[1]) || same(c[0], c[1], d[2], d[3]) ||
+           same(c[2], c[3], d[0], d[1]) || same(c[2], c[3], d[2], d[3]);
+  }
   /// With w = o.a - s.a: orientations of the ends of o to s are ds x w and ds x (w + do), of those
   /// of s to o do x -w and do x (ds - w).
   Relation relate(LineId s, LineId o) const {

@@ -100,6 +100,7 @@ class Pairs {
       : scene_(scene), kernel_(scene.kernel), here_(scene.buckets, bucket), found_(found) {}
 
   void test(LineId s, LineId o) {
+    if (kernel_.share_end(s, o)) return;  // then nothing else
     if (o < s) std::swap(s, o);
     const Relation r = kernel_.relate(s, o);
     if (!r.apart()) record(s, o, r);
