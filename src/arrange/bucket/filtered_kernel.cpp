@@ -58,7 +58,7 @@ double FilteredKernel::parameter(LineId s, LineId o) const {
 int FilteredKernel::compare_directions(LineId s, LineId o) const {
   const Approx &l = approx_[s], &m = approx_[o];
   const double dx = l.bx - l.ax, dy = l.by - l.ay, ex = m.bx - m.ax, ey = m.by - m.ay;
-  const double size = std::max({std::abs(dx), std::abs(dy), std::abs(ex), std::abs(ey)});
+  const double size = largest({dx, dy, ex, ey});
   const double error = error_of(size, std::max(reach(l), reach(m)));
   const double value = dx * ey - dy * ex;
   if (value > error) return 1;

@@ -17,7 +17,7 @@ namespace plumbline::bucket {
 class FilteredKernel {
  public:
   /// Of a parameter that doubles tell.
-  static constexpr double kParameterError = 0x1p-40;
+  static constexpr double kParameterError = 0x1p-36;
 
   FilteredKernel() = default;
   /// On the grid.
@@ -50,23 +50,22 @@ class FilteredKernel {
 
   Relation relate(LineId s, LineId o) const {
     const Approx &l = approx_[s], &m = approx_[o];
-    const double dx = l.bx - l.ax, dy = l.by - l.ay, ex = m.bx - m.ax, ey = m.by - m.ay;
+    const double far = std::max(reach(l), reach(m));
+    const double dx = l.bx - l.ax, dy = l.by - l.ay;
     const double ax = m.ax - l.ax, ay = m.ay - l.ay, bx = m.bx - l.ax, by = m.by - l.ay;
-    const double cx = l.bx - m.ax, cy = l.by - m.ay;
     const double oa = dx * ay - dy * ax, ob = dx * by - dy * bx;
-    const double sa = ey * ax - ex * ay, sb = ex * cy - ey * cx;
-    const double size =
-        std::max({std::abs(dx), std::abs(dy), std::abs(ex), std::abs(ey), std::abs(ax),
-                  std::abs(ay), std::abs(bx), std::abs(by), std::abs(cx), std::abs(cy)});
-    const double error = error_of(size, std::max(reach(l), reach(m)));
-    Relation r{sign_of(oa, error, s, first_end(o)), 0, 0, 0};
-    r.b_to_s = sign_of(ob, error, s, last_end(o));
+    const double to_s = error_of(largest({dx, dy, ax, ay, bx, by}), far);
+    Relation r{sign_of(oa, to_s, s, first_end(o)), 0, 0, 0};
+    r.b_to_s = sign_of(ob, to_s, s, last_end(o));
     if (r.apart()) return r;
-    r.a_to_o = sign_of(sa, error, o, first_end(s));
-    r.b_to_o = sign_of(sb, error, o, last_end(s));
+    const double ex = m.bx - m.ax, ey = m.by - m.ay, cx = l.bx - m.ax, cy = l.by - m.ay;
+    const double sa = ey * ax - ex * ay, sb = ex * cy - ey * cx;
+    const double to_o = error_of(largest({ex, ey, ax, ay, cx, cy}), far);
+    r.a_to_o = sign_of(sa, to_o, o, first_end(s));
+    r.b_to_o = sign_of(sb, to_o, o, last_end(s));
     if (r.cross()) {
-      r.at_s = quotient(sa, sb, error, s, o);
-      r.at_o = quotient(oa, ob, error, o, s);
+      r.at_s = quotient(sa, sb, to_o, s, o);
+      r.at_o = quotient(oa, ob, to_s, o, s);
     }
     return r;
   }
@@ -76,8 +75,8 @@ class FilteredKernel {
     const Approx& l = approx_[s];
     const PointD p = place(end);
     const double dx = l.bx - l.ax, dy = l.by - l.ay, ex = p.x - l.ax, ey = p.y - l.ay;
-    const double size = std::max({std::abs(dx), std::abs(dy), std::abs(ex), std::abs(ey)});
-    const double far = std::max({reach(l), std::abs(p.x), std::abs(p.y)});
+    const double size = largest({dx, dy, ex, ey});
+    const double far = std::max(reach(l), largest({p.x, p.y}));
     return sign_of(dx * ey - dy * ex, error_of(size, far), s, end);
   }
   int compare_directions(LineId s, LineId o) const;
@@ -103,9 +102,14 @@ class FilteredKernel {
   LongPoint crossing(LineId s, LineId o) const;
 
  private:
-  static double reach(const Approx& l) {
-    return std::max({std::abs(l.ax), std::abs(l.ay), std::abs(l.bx), std::abs(l.by)});
+  /// The largest absolute value.
+  template <std::size_t N>
+  static double largest(const double (&values)[N]) {
+    double result = 0;
+    for (const double v : values) result = std::max(result, std::abs(v));
+    return result;
   }
+  static double reach(const Approx& l) { return largest({l.ax, l.ay, l.bx, l.by}); }
   /// A bound on the error of a cross product of differences of rounded coordinates: differences of
   /// absolute value at most `size`, coordinates at most `reach`. With u = 2^-53, a coordinate is
   /// off by u reach, so a difference of two by 2 u reach, and its own rounding adds at most 2 u
