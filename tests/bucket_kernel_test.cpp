@@ -265,6 +265,24 @@ TEST_CASE("lines on one supporting line have one key, whatever the kernel") {
   }
 }
 
+TEST_CASE(
+    "lines share an end where it is the same point, not where it rounds to the same doubles") {
+  // Ends of the second and the third line round to one end of the first.
+  const SegmentSet input =
+      segments("0 0 1/3 2  1/3 2 5 1  0.33333333333333333333 2 5 4  1 7 1/3 2  0 0 1 7  0 3 1 3");
+  bucket::Job job = serial();
+  const bucket::FilteredKernel kernel(input, job);
+  const auto shared = [](const auto& lines, bucket::LineId s) {
+    std::string text;
+    for (bucket::LineId o = 0; o < lines.size(); ++o) text += lines.share_end(s, o) ? '1' : '0';
+    return text;
+  };
+  CHECK(shared(kernel, 0) == "110110");
+  CHECK(shared(kernel, 2) == "001000");
+  const SegmentSet narrow = segments("0 0 1 2  1 2 5 1  1 3 5 2  1 7 1 2  0 0 1 7  2 2 1 3");
+  CHECK(shared(bucket::GridKernel(*bucket::GridInput::from(narrow, job)), 0) == "110110");
+}
+
 TEST_CASE("the double filter is right where a point is next to a line by one rounding") {
   // r = p + t (q - p), rounded to doubles and moved by single roundings: exact orientation decides.
   const auto kernel_with = [](const Point& p, const Point& q, const Point& r) {
