@@ -1,9 +1,11 @@
 #include "plumbline/diagnose.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <random>
 
+#include "diagnose/edge_tree.hpp"
 #include "diagnose/roots.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/error.hpp"
@@ -11,6 +13,7 @@
 #include "support/segments.hpp"
 
 using namespace plumbline;
+using diagnose_steps::EdgeTree;
 
 namespace {
 
@@ -208,6 +211,49 @@ TEST_CASE("of very many defects some are listed and all are counted") {
   CHECK(result.count(DefectKind::Overlap) == 3000 * 2999 / 2);
   CHECK(result.count(DefectKind::Dangle) == 1 + 1);
   CHECK(result.defects.size() == 1 + 10 + 2);
+}
+
+TEST_CASE("all ends of a hatch are found to stop short, however long and close the lines are") {
+  constexpr int kSide = 1000;
+  SegmentSet hatch = segments(rectangle(0, 0, kSide, kSide));
+  const Rational off(1, 10);
+  for (int i = 1; i < 2 * kSide; ++i) {
+    const int low = std::max(0, i - kSide), high = std::min(i, kSide);
+    hatch.add({Point{low + off, high - off}, Point{high - off, low + off}}, SourceId());
+  }
+  const Diagnosis result = diagnosis(hatch, "0.1");
+  CHECK(result.count(DefectKind::Undershoot) == 2 * (2 * kSide - 1));
+  CHECK(result.cut_short == 0);
+}
+
+TEST_CASE("a tree of edges finds what is near a point among parallels, fans and random edges") {
+  std::mt19937 random(1);
+  const auto number = [&] { return std::uniform_int_distribution<int>(0, 999)(random); };
+  std::vector<PointD> points{{0, 0}};
+  std::vector<Edge> edges;
+  const auto add = [&](const PointD& a, const PointD& b) {
+    points.insert(points.end(), {a, b});
+    edges.push_back({VertexId(points.size() - 2), VertexId(points.size() - 1)});
+  };
+  for (int i = 0; i < 300; ++i) {
+    add({1.0 * i, -3.0 * i}, {1000.0 + i, 300 - 3.0 * i});
+    add({0, 0}, {1000, 1.0 * i});
+    add({1.0 * number(), 1.0 * number()}, {1.0 * number(), 1.0 * number()});
+    add({1.0 * i, 7}, {1.0 * i, 7});
+  }
+  constexpr double kReach = 9.7;
+  const EdgeTree tree(edges, points);
+  for (const PointD& p : points) {
+    std::size_t found = 0, near = 0;
+    tree.visit(p, kReach, [&](EdgeId, const EdgeTree::Foot&) { ++found; });
+    for (const Edge& e : edges) {
+      const PointD &a = points[e.tail], &b = points[e.head];
+      const double squared = squared_distance(a, b), x = p.x - a.x, y = p.y - a.y;
+      const double along = squared == 0 ? 0 : (x * (b.x - a.x) + y * (b.y - a.y)) / squared;
+      if (distance(p, point_at({a, b}, std::clamp(along, 0.0, 1.0))) <= kReach) ++near;
+    }
+    CHECK(found == near);
+  }
 }
 
 TEST_CASE("tolerances say what they mend and what they destroy") {

@@ -35,6 +35,7 @@ class LineGraph {
   /// From v along e to the first vertex that is not of degree 2, or back to v.
   Chain chain(VertexId v, EdgeId e) const;
 
+  const std::vector<PointD>& rounded() const { return points_; }
   const PointD& rounded(VertexId v) const { return points_[v]; }
   /// Bounds what rounding does to a distance: of coordinates, and of computing with them.
   double slack() const { return slack_; }

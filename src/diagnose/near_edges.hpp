@@ -1,8 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
+#include "diagnose/edge_tree.hpp"
 #include "diagnose/line_graph.hpp"
 
 namespace plumbline::diagnose_steps {
@@ -22,28 +22,26 @@ struct Nearest {
 };
 Nearest nearest_on_edge(const ExactComplex& complex, VertexId v, EdgeId e);
 
-/// Finds the edges near a vertex: an R-tree on rounded boxes proposes.
+/// Finds the edges near a vertex.
 class NearEdges {
  public:
   /// Keeps a reference to the graph.
   NearEdges(const LineGraph& graph, const Rational& within);
-  ~NearEdges();
 
   struct Answer {
     std::vector<NearEdge> edges;  ///< nearest first, then by index; none that ends at v
     bool cut_short = false;       ///< whether further ones within the distance were left out
   };
-  /// The edges within the distance, up to rounding; of more than kMostProposals those within a
+  /// The edges within the distance, up to rounding; of more than kMostEdges those within a
   /// smaller distance.
   Answer near(VertexId v) const;
 
   /// Bounds the work where the search distance is far larger than the drawing's features.
-  static constexpr std::size_t kMostProposals = 256;
+  static constexpr std::size_t kMostEdges = 256;
 
  private:
-  struct Tree;
-  std::unique_ptr<Tree> tree_;
   const LineGraph& graph_;
+  EdgeTree tree_;
   double reach_;
 };
 

@@ -122,7 +122,7 @@ class NearMisses {
     }
     for (std::size_t i = 0; i < isolated.size(); ++i) {
       const Point& p = complex.vertices[isolated[i]];
-      for (std::size_t j = i + 1; j < isolated.size() && j <= i + NearEdges::kMostProposals; ++j) {
+      for (std::size_t j = i + 1; j < isolated.size() && j <= i + NearEdges::kMostEdges; ++j) {
         const Point& q = complex.vertices[isolated[j]];
         if (q.x - p.x > subject_.within) break;
         Rational squared = squared_distance(p, q);

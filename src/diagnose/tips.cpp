@@ -1,16 +1,25 @@
 // What each dangling end is: the nearest explanation wins.
 
 #include <algorithm>
+#include <limits>
 
 #include "diagnose/steps.hpp"
+#include "geometry/point_d.hpp"
 
 namespace plumbline::diagnose_steps {
 namespace {
+
+// Of 60 degrees, up to which a place is ahead, and of 30, up to which lines are side by side.
+constexpr double kCosineAhead = 0.5, kCosineAside = 0.8660254037844387;
+// More than rounding does to a cosine, if vectors are longer by the inverse than what rounding does
+// to them.
+constexpr double kAngleMargin = 1e-3;
 
 struct Vector {
   Rational x, y;
 };
 Vector from_to(const Point& p, const Point& q) { return {q.x - p.x, q.y - p.y}; }
+PointD from_to(const PointD& p, const PointD& q) { return {q.x - p.x, q.y - p.y}; }
 Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
 
 /// The direction in which the line ends at a tip.
@@ -33,7 +42,10 @@ bool is_side_by_side(const Vector& u, const Vector& v) {
 
 class Classifier {
  public:
-  explicit Classifier(const Subject& subject) : subject_(subject), graph_(subject.graph) {}
+  explicit Classifier(const Subject& subject)
+      : subject_(subject),
+        graph_(subject.graph),
+        reach_(nearest_double(subject.within) * (1 + kAngleMargin) + graph_.slack()) {}
 
   /// The tip, and whether the search for what is near it was cut short in vain.
   std::pair<Tip, bool> classify(VertexId v) const {
@@ -54,6 +66,7 @@ class Classifier {
     const ExactComplex& complex = graph_.complex();
     const Vector end = direction(graph_, tip.vertex);
     for (const NearEdge& candidate : near.edges) {
+      if (is_clearly_aside(tip.vertex, candidate)) continue;
       const bool is_found = tip.kind != DefectKind::Dangle;
       if (is_found &&
           candidate.distance > nearest_sqrt(tip.squared_distance) + 2 * graph_.slack()) {
@@ -74,6 +87,35 @@ class Classifier {
       tip.edge = candidate.edge;
       tip.squared_distance = std::move(found.squared_distance);
     }
+  }
+
+  /// Whether it is out of question that the candidate is ahead of the tip, or ends in a tip to
+  /// join; only then true.
+  bool is_clearly_aside(VertexId tip, const NearEdge& candidate) const {
+    const Edge& edge = graph_.complex().edges[candidate.edge];
+    const PointD &p = graph_.rounded(tip), &q = candidate.foot;
+    const auto cannot_join = [&](VertexId v) {
+      return !graph_.is_tip(v) || quick_length(from_to(p, graph_.rounded(v))) > reach_ ||
+             cosine(tip, rounded_direction(v)) > kCosineAside + kAngleMargin;
+    };
+    return cosine(tip, from_to(p, q)) < kCosineAhead - kAngleMargin && cannot_join(edge.tail) &&
+           cannot_join(edge.head);
+  }
+
+  /// Of the angle between the direction in which a line ends at a tip and another vector;
+  /// **rounded**. Not a number where one of them is so short that rounding may turn it.
+  double cosine(VertexId tip, const PointD& v) const {
+    const PointD u = rounded_direction(tip);
+    const double length = quick_length(u), other_length = quick_length(v);
+    if (std::min(length, other_length) * kAngleMargin < 4 * graph_.slack()) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    return (u.x / length) * (v.x / other_length) + (u.y / length) * (v.y / other_length);
+  }
+
+  PointD rounded_direction(VertexId tip) const {
+    return from_to(graph_.rounded(graph_.other_end(graph_.edges(tip)[0], tip)),
+                   graph_.rounded(tip));
   }
 
   bool is_tip(VertexId v) const { return v.valid() && graph_.is_tip(v); }
@@ -116,6 +158,7 @@ class Classifier {
 
   const Subject& subject_;
   const LineGraph& graph_;
+  const double reach_;  ///< clearly more than the search distance
 };
 
 }  // namespace

@@ -17,6 +17,14 @@ inline double squared_distance(const PointD& p, const PointD& q) {
 inline double distance(const PointD& p, const PointD& q) {
   return std::hypot(p.x - q.x, p.y - q.y);
 }
+/// The length of a vector as `distance` has it, within some units in the last place and sooner.
+inline double quick_length(const PointD& v) {
+  const double x = std::abs(v.x), y = std::abs(v.y);
+  const double longer = std::max(x, y);
+  if (longer == 0) return 0;
+  const double ratio = std::min(x, y) / longer;
+  return longer * std::sqrt(1 + ratio * ratio);
+}
 
 /// a + parameter (b - a), computed in this order.
 inline PointD point_at(const SegmentD& s, double parameter) {

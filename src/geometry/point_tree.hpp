@@ -11,7 +11,7 @@ namespace plumbline {
 
 /// Points in a KD-tree, for the question which of them are near a place. (Which vertices are near
 /// an edge, with certified bounds, is the question of `complex/vertex_tree`; which edges are near a
-/// vertex, that of `diagnose/near_edges`: what it searches for are boxes, not points.) Keeps the
+/// vertex, that of `diagnose/edge_tree`.) Keeps the
 /// span, not the points. Requires: finite coordinates whose squares do not overflow. Cost:
 /// O(n log n) to build, O(log n) a query and what it finds.
 class PointTree {
