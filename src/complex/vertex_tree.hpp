@@ -45,9 +45,11 @@ class VertexTree {
              const Visit& visitor) const;
 
   /// The same for vertices that are no further from either end of the segment than these are from
-  /// each other, ends left out; up to rounding.
+  /// each other, ends left out; up to rounding. If `without_labels`, those with the label of an end
+  /// are left out, too.
   template <class Visit>
-  void visit_between(VertexId a, VertexId b, const double& reach, const Visit& visitor) const;
+  void visit_between(VertexId a, VertexId b, const double& reach, bool without_labels,
+                     const Visit& visitor) const;
 
   /// Gives each vertex a label below kNoLabel.
   void set_labels(std::span<const std::uint32_t> labels);
@@ -129,19 +131,23 @@ void VertexTree::visit(VertexId a, VertexId b, const double& reach, std::uint32_
 }
 
 template <class Visit>
-void VertexTree::visit_between(VertexId a, VertexId b, const double& reach,
+void VertexTree::visit_between(VertexId a, VertexId b, const double& reach, bool without_labels,
                                const Visit& visitor) const {
   const Query query(points_[a], points_[b]);
   const double longest = above(above(query.length));
   const double squared = above(longest) * above(longest);
+  const auto is_label_of_end = [&](std::uint32_t label) {
+    return label == labels_[a] || label == labels_[b];
+  };
   const auto is_out = [&](const Node& node) {
-    return squared_distance_of_box(query.a, node.box) > squared ||
+    return (without_labels && is_label_of_end(node.label)) ||
+           squared_distance_of_box(query.a, node.box) > squared ||
            squared_distance_of_box(query.b, node.box) > squared;
   };
   walk(query, reach, is_out, [&](VertexId v, std::uint32_t i) {
     const PointD& p = ordered_[i];
     const double off = query.distance(p);
-    if (off > reach || v == a || v == b) return;
+    if (off > reach || v == a || v == b || (without_labels && is_label_of_end(labels_[v]))) return;
     if (distance(query.a, p) > longest || distance(query.b, p) > longest) return;
     visitor(v, off);
   });

@@ -1,6 +1,7 @@
 #include "ladder/near_pairs.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -21,12 +22,14 @@ double quantile(std::vector<double> sample, std::size_t count, std::size_t popul
 
 }  // namespace
 
-NearPairs::NearPairs(const ExactComplex& complex) : complex_(complex), tree_(complex) {}
+NearPairs::NearPairs(const ExactComplex& complex)
+    : complex_(complex), tree_(complex), is_behind_(complex.edge_count()) {}
 
 /// Vertices within reach that the edge may be led through, by rounded distances.
 template <class Visit>
-void NearPairs::for_vertices_along(EdgeId e, const double& reach, const Visit& visit) const {
-  tree_.visit_between(complex_.edges[e].tail, complex_.edges[e].head, reach, visit);
+void NearPairs::for_vertices_along(EdgeId e, const double& reach, bool without_labels,
+                                   const Visit& visit) const {
+  tree_.visit_between(complex_.edges[e].tail, complex_.edges[e].head, reach, without_labels, visit);
 }
 
 std::vector<double> NearPairs::nearest_of_vertices() const {
@@ -47,7 +50,8 @@ std::vector<double> NearPairs::nearest_of_edges() const {
   const std::size_t step = complex_.edge_count() / kSample + 1;
   for (std::size_t e = 0; e < complex_.edge_count(); e += step) {
     double reach = tree_.length(complex_.edges[e].tail, complex_.edges[e].head);
-    for_vertices_along(EdgeId(e), reach, [&](VertexId, double distance) { reach = distance; });
+    for_vertices_along(EdgeId(e), reach, false,
+                       [&](VertexId, double distance) { reach = distance; });
     sample.push_back(reach);
   }
   return sample;
@@ -77,14 +81,44 @@ bool NearPairs::propose(double end, const Quotient& quotient, std::vector<Propos
     // What an edge is led through is nearer to it than its ends are to each other.
     const double length = tree_.above(tree_.length(complex_.edges[e].tail, complex_.edges[e].head));
     if (length < least) continue;
-    for_vertices_along(e, std::min(most, tree_.above(length)), [&](VertexId v, double distance) {
-      if (distance >= least) {
-        proposals.push_back({distance, v, static_cast<std::uint32_t>(e), true});
-      }
-    });
+    const double reach = std::min(most, tree_.above(length));
+    if (!quotient.is_led_through_others(e) && !is_near_others(e, reach)) {
+      is_behind_[e] = true;
+      continue;
+    }
+    propose_along(e, least, reach, proposals);
     if (proposals.size() > kMostProposals) return false;
   }
   return true;
+}
+
+/// Whether the edge may be led through a vertex that is not merged with an end of it.
+bool NearPairs::is_near_others(EdgeId e, double reach) const {
+  bool is_near = false;
+  for_vertices_along(e, reach, true, [&](VertexId, double) {
+    is_near = true;
+    reach = -std::numeric_limits<double>::infinity();  // the first one is enough
+  });
+  return is_near;
+}
+
+void NearPairs::propose_along(EdgeId e, double least, double most,
+                              std::vector<Proposal>& proposals) const {
+  for_vertices_along(e, most, false, [&](VertexId v, double distance) {
+    if (distance >= least) proposals.push_back({distance, v, static_cast<std::uint32_t>(e), true});
+  });
+}
+
+/// The pairs of earlier windows for edges that are behind and now led through vertices.
+std::vector<NearPairs::Proposal> NearPairs::left_out_before(
+    const std::vector<Proposal>& proposals) {
+  std::vector<Proposal> left_out;
+  for (const Proposal& p : proposals) {
+    if (!p.is_edge || !is_behind_[p.other]) continue;
+    is_behind_[p.other] = false;
+    propose_along(EdgeId(p.other), 0, tree_.above(reached_), left_out);
+  }
+  return left_out;
 }
 
 bool NearPairs::leads_through(EdgeId e, VertexId v) const {
@@ -95,8 +129,9 @@ bool NearPairs::leads_through(EdgeId e, VertexId v) const {
          squared_distance(complex_.vertices[v], b) < squared_length;
 }
 
-std::vector<NearPair> NearPairs::decided(const std::vector<Proposal>& proposals, double end) const {
-  const Rational first = rational_from(reached_), last = rational_from(end);
+std::vector<NearPair> NearPairs::decided(const std::vector<Proposal>& proposals, double beyond,
+                                         double end) const {
+  const Rational first = rational_from(beyond), last = rational_from(end);
   const Rational squared_first = first * first, squared_last = last * last;
   std::vector<NearPair> pairs;
   pairs.reserve(proposals.size());
@@ -143,7 +178,9 @@ std::optional<std::vector<NearPair>> NearPairs::next(double end, std::size_t cou
     end = std::min(end, lesser);
   }
   std::erase_if(proposals, [&](const Proposal& p) { return p.distance > tree_.above(end); });
-  std::vector<NearPair> pairs = decided(proposals, end);
+  std::vector<NearPair> pairs = decided(left_out_before(proposals), 0, reached_);
+  std::vector<NearPair> window = decided(proposals, reached_, end);
+  std::move(window.begin(), window.end(), std::back_inserter(pairs));
   reached_ = end;
   return pairs;
 }

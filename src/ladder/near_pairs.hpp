@@ -17,7 +17,9 @@ struct NearPair {
 };
 
 /// The pairs of a complex that the tolerance ladder knows (see `tolerance_ladder`), in windows of
-/// ascending distance.
+/// ascending distance. To lead an edge through vertices that are merged with its ends changes
+/// nothing while it is led through no others. Long edges side by side have very many such pairs,
+/// which are therefore left out until then.
 class NearPairs {
  public:
   /// Keeps a reference to the complex.
@@ -28,8 +30,9 @@ class NearPairs {
 
   /// The next window: all pairs further apart than the last one reached and no further than `end`,
   /// or than a lesser distance where these would be many more than `count`. Ascending by distance,
-  /// vertices before edges, then by index. Pairs of vertices that the quotient has merged are left
-  /// out. Nothing where too many pairs are about as near. Requires: `end` beyond the last window.
+  /// vertices before edges, then by index; before them, what earlier windows left out and now
+  /// matters. Pairs of vertices that the quotient has merged are left out. Nothing where too many
+  /// pairs are about as near. Requires: `end` beyond the last window.
   std::optional<std::vector<NearPair>> next(double end, std::size_t count,
                                             const Quotient& quotient);
   /// How far the last window reached, 0 before the first.
@@ -44,15 +47,21 @@ class NearPairs {
   };
 
   template <class Visit>
-  void for_vertices_along(EdgeId e, const double& reach, const Visit& visit) const;
+  void for_vertices_along(EdgeId e, const double& reach, bool without_labels,
+                          const Visit& visit) const;
   std::vector<double> nearest_of_vertices() const;
   std::vector<double> nearest_of_edges() const;
   bool propose(double end, const Quotient& quotient, std::vector<Proposal>& proposals);
+  bool is_near_others(EdgeId e, double reach) const;
+  void propose_along(EdgeId e, double least, double most, std::vector<Proposal>& proposals) const;
+  std::vector<Proposal> left_out_before(const std::vector<Proposal>& proposals);
   bool leads_through(EdgeId e, VertexId v) const;
-  std::vector<NearPair> decided(const std::vector<Proposal>& proposals, double end) const;
+  std::vector<NearPair> decided(const std::vector<Proposal>& proposals, double beyond,
+                                double end) const;
 
   const ExactComplex& complex_;
   VertexTree tree_;
+  std::vector<bool> is_behind_;  ///< per edge, whether pairs of it were left out
   double reached_ = 0;
 };
 

@@ -81,10 +81,11 @@ void Quotient::lead_through(EdgeId e, VertexId v) {
   std::vector<Stop>& stops = stops_[e];
   if (stops.empty()) stops.push_back({0, complex_.edges[e].tail, static_cast<std::uint32_t>(e)});
   const Rational foot = along(complex_, e, v);
-  const auto next = std::find_if(stops.begin() + 1, stops.end(), [&](const Stop& stop) {
+  const auto next = std::partition_point(stops.begin() + 1, stops.end(), [&](const Stop& stop) {
     const int order = cmp(stop.along, foot);
-    return order != 0 ? order > 0 : v < stop.vertex;
+    return order != 0 ? order < 0 : stop.vertex <= v;
   });
+  if (std::prev(next)->vertex == v) return;
   std::uint32_t& before = std::prev(next)->piece;
   const Piece cut = pieces_[before];
   discount(cut);
@@ -92,6 +93,17 @@ void Quotient::lead_through(EdgeId e, VertexId v) {
   before = add_piece(cut.from, v);
   stops.insert(next, {foot, v, add_piece(v, cut.to)});
   connect(v, cut.from);
+}
+
+bool Quotient::is_led_through_others(EdgeId e) const {
+  const auto found = stops_.find(e);
+  if (found == stops_.end()) return false;
+  const std::uint32_t tail = cluster(complex_.edges[e].tail),
+                      head = cluster(complex_.edges[e].head);
+  return std::any_of(found->second.begin(), found->second.end(), [&](const Stop& stop) {
+    const std::uint32_t at = cluster(stop.vertex);
+    return at != tail && at != head;
+  });
 }
 
 }  // namespace plumbline

@@ -20,9 +20,11 @@ class Quotient {
   /// Cost: O(log n) expected, amortised.
   void merge(VertexId v, VertexId w);
   /// Leads the edge through the vertex, where the foot of the perpendicular from it on the edge
-  /// lies. Requires: a foot inside; not called before for the two. Cost: O(k) for k vertices that
-  /// the edge is already led through.
+  /// lies; once. Requires: a foot inside. Cost: O(k) for k vertices that the edge is already led
+  /// through.
   void lead_through(EdgeId e, VertexId v);
+  /// Whether the edge is led through a vertex that is merged with neither of its ends.
+  bool is_led_through_others(EdgeId e) const;
 
   std::size_t vertex_count() const { return vertices_; }
   std::size_t edge_count() const { return multiplicity_.size(); }
