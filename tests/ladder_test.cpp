@@ -250,6 +250,25 @@ TEST_CASE("windows of pairs do not change the ladder") {
   CHECK(ladder_of(grid.str()) == "169 312 145; 4: 13 12 1; 9: 1 0 1");
 }
 
+TEST_CASE("pairs that do nothing when they are passed count once they matter") {
+  // A bundle whose ends merge at once, and places beside it between the feet of its ends.
+  std::ostringstream drawing;
+  drawing << "20 -30 20 -32  215 50 216 52";
+  for (int i = 0; i < 12; ++i) {
+    drawing << "  " << 3 * i << ' ' << i << "  " << 3 * i + 200 << ' ' << i;
+  }
+  const ExactComplex c = arrange(segments(drawing.str()));
+  CHECK(text(tolerance_ladder(c)) == text(Definition(c).ladder()));
+}
+
+TEST_CASE("nested squares fall together in three steps, in no time for each pair of them") {
+  constexpr int kSquares = 1000;
+  std::string squares;
+  for (int i = 1; i <= kSquares; ++i)
+    squares += rectangle(-5000 - i, -5000 - i, 5000 + i, 5000 + i);
+  CHECK(ladder_of(squares) == "4000 4000 1001; 1: 4000 7992 3994; 2: 4 4 2; 100040004: 1 0 1");
+}
+
 TEST_CASE("similar drawings have similar ladders, in any order of their segments") {
   std::mt19937 random(11);
   for (int i = 0; i < 40; ++i) {

@@ -84,6 +84,7 @@ bool VertexTree::Query::may_reach(const Node& node, double reach) const {
       std::min(a.y, b.y) - reach > node.box.high.y || std::max(a.y, b.y) + reach < node.box.low.y) {
     return false;
   }
+  if (length == 0) return squared_distance_of_box(a, node.box) <= reach * reach;
   // The line keeps clear of the box if it is further from its centre than its corners reach.
   const double half_x = node.box.width() / 2, half_y = node.box.height() / 2;
   const double x = node.box.low.x + half_x - a.x, y = node.box.low.y + half_y - a.y;

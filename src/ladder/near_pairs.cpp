@@ -10,6 +10,8 @@ namespace {
 
 // More proposals at a time than this are not decided: 64 MB, and some seconds.
 constexpr std::size_t kMostProposals = std::size_t{1} << 21U;
+// So many times the pairs that are wanted are proposed before the farther ones are given up.
+constexpr std::size_t kRoom = 4;
 constexpr std::size_t kSample = 512;
 
 /// The value below which `count` of the population are, by an evenly taken sample of it.
@@ -64,32 +66,50 @@ double NearPairs::radius_of(std::size_t count) const {
   return tree_.above(radius);
 }
 
-bool NearPairs::propose(double end, const Quotient& quotient, std::vector<Proposal>& proposals) {
-  proposals.clear();
-  const double least = tree_.below(reached_), most = tree_.above(end);
+/// Makes the window end where `count` proposals are nearer, those as near as makes no difference
+/// aside.
+void NearPairs::narrow(Window& window, std::size_t count) const {
+  std::vector<Proposal>& proposals = window.proposals;
+  if (proposals.size() <= count) return;
+  std::nth_element(proposals.begin(), proposals.begin() + count, proposals.end(),
+                   [](const Proposal& p, const Proposal& q) { return p.distance < q.distance; });
+  window.end = std::min(window.end, tree_.above(tree_.above(proposals[count].distance)));
+  std::erase_if(proposals, [&](const Proposal& p) { return p.distance > tree_.above(window.end); });
+  window.most = std::max(window.most, 2 * proposals.size());
+}
+
+std::optional<NearPairs::Window> NearPairs::propose(double end, std::size_t count,
+                                                    const Quotient& quotient) {
+  Window window{end, kRoom * count, {}};
+  const double least = tree_.below(reached_);
+  const auto is_small = [&] {
+    if (window.proposals.size() > window.most) narrow(window, count);
+    return window.proposals.size() <= kMostProposals;
+  };
   for (std::size_t i = 0; i < complex_.vertices.size(); ++i) {
     const VertexId v(i);
-    tree_.visit(v, v, most, quotient.cluster(v), [&](VertexId w, double distance) {
-      if (v < w && distance >= least) {
-        proposals.push_back({distance, v, static_cast<std::uint32_t>(w), false});
+    tree_.visit(v, v, tree_.above(window.end), quotient.cluster(v), [&](VertexId w, double d) {
+      if (v < w && d >= least) {
+        window.proposals.push_back({d, v, static_cast<std::uint32_t>(w), false});
       }
     });
-    if (proposals.size() > kMostProposals) return false;
+    if (!is_small()) return std::nullopt;
   }
   for (std::size_t i = 0; i < complex_.edge_count(); ++i) {
     const EdgeId e(i);
     // What an edge is led through is nearer to it than its ends are to each other.
     const double length = tree_.above(tree_.length(complex_.edges[e].tail, complex_.edges[e].head));
     if (length < least) continue;
-    const double reach = std::min(most, tree_.above(length));
+    const double reach = std::min(tree_.above(window.end), tree_.above(length));
     if (!quotient.is_led_through_others(e) && !is_near_others(e, reach)) {
       is_behind_[e] = true;
       continue;
     }
-    propose_along(e, least, reach, proposals);
-    if (proposals.size() > kMostProposals) return false;
+    propose_along(e, least, reach, window.proposals);
+    if (!is_small()) return std::nullopt;
   }
-  return true;
+  narrow(window, count);
+  return window;
 }
 
 /// Whether the edge may be led through a vertex that is not merged with an end of it.
@@ -167,21 +187,12 @@ std::optional<std::vector<NearPair>> NearPairs::next(double end, std::size_t cou
     labels.push_back(quotient.cluster(VertexId(v)));
   }
   tree_.set_labels(labels);
-  std::vector<Proposal> proposals;
-  for (bool is_whole = false; !is_whole;) {
-    is_whole = propose(end, quotient, proposals);
-    if (is_whole && proposals.size() <= count) break;
-    std::nth_element(proposals.begin(), proposals.begin() + count, proposals.end(),
-                     [](const Proposal& p, const Proposal& q) { return p.distance < q.distance; });
-    const double lesser = tree_.above(tree_.above(proposals[count].distance));
-    if (!is_whole && lesser >= end) return std::nullopt;
-    end = std::min(end, lesser);
-  }
-  std::erase_if(proposals, [&](const Proposal& p) { return p.distance > tree_.above(end); });
-  std::vector<NearPair> pairs = decided(left_out_before(proposals), 0, reached_);
-  std::vector<NearPair> window = decided(proposals, reached_, end);
-  std::move(window.begin(), window.end(), std::back_inserter(pairs));
-  reached_ = end;
+  const std::optional<Window> window = propose(end, count, quotient);
+  if (!window) return std::nullopt;
+  std::vector<NearPair> pairs = decided(left_out_before(window->proposals), 0, reached_);
+  std::vector<NearPair> others = decided(window->proposals, reached_, window->end);
+  std::move(others.begin(), others.end(), std::back_inserter(pairs));
+  reached_ = window->end;
   return pairs;
 }
 

@@ -45,13 +45,20 @@ class NearPairs {
     std::uint32_t other;  ///< vertex or edge
     bool is_edge;
   };
+  /// Proposals up to a distance that becomes less where there are too many.
+  struct Window {
+    double end;
+    std::size_t most;  ///< proposals before the window is narrowed
+    std::vector<Proposal> proposals;
+  };
 
   template <class Visit>
   void for_vertices_along(EdgeId e, const double& reach, bool without_labels,
                           const Visit& visit) const;
   std::vector<double> nearest_of_vertices() const;
   std::vector<double> nearest_of_edges() const;
-  bool propose(double end, const Quotient& quotient, std::vector<Proposal>& proposals);
+  void narrow(Window& window, std::size_t count) const;
+  std::optional<Window> propose(double end, std::size_t count, const Quotient& quotient);
   bool is_near_others(EdgeId e, double reach) const;
   void propose_along(EdgeId e, double least, double most, std::vector<Proposal>& proposals) const;
   std::vector<Proposal> left_out_before(const std::vector<Proposal>& proposals);
