@@ -40,14 +40,32 @@ class Certifier {
 
   bool run() {
     if (!prepare()) return false;
+    follow_cycles();
     for (std::size_t v = 0; v < c_.vertices.size(); ++v) {
       if (!enter(VertexId(v))) return false;
     }
     return has_right_cycles();
   }
 
+  std::optional<std::vector<std::optional<EdgeId>>> below_components() {
+    if (!prepare()) return std::nullopt;
+    std::vector<std::optional<EdgeId>> below(c_.component_count());
+    std::vector<bool> is_seen(c_.component_count());
+    for (std::size_t i = 0; i < c_.vertices.size(); ++i) {
+      const VertexId v(i);
+      if (!reach(v)) return std::nullopt;
+      const ComponentId k = c_.vertex_component[v];
+      if (!is_seen[k]) below[k] = this->below();
+      is_seen[k] = true;
+      if (!take_beginning(v)) return std::nullopt;
+    }
+    return below;
+  }
+
  private:
   bool prepare();
+  void follow_cycles();
+  bool reach(VertexId v);
   bool enter(VertexId v);
   bool take_ending(VertexId v);
   bool take_beginning(VertexId v);
@@ -58,6 +76,12 @@ class Certifier {
   /// Where the vertex lies: 1 above the edge, -1 below it, 0 on it.
   int side(const StatusEdge& item, VertexId v) const {
     return points_.orientation(c_.edges[item.edge].tail, c_.edges[item.edge].head, v);
+  }
+
+  /// The edge just below the vertex that was reached.
+  std::optional<EdgeId> below() const {
+    if (above_ == status_.begin()) return std::nullopt;
+    return std::prev(above_)->edge;
   }
 
   const ExactComplex& c_;
@@ -81,6 +105,10 @@ bool Certifier::prepare() {
   for (std::size_t v = 1; v < c_.vertices.size(); ++v) {
     if (!points_.is_before(v - 1, v)) return false;
   }
+  for (std::size_t e = 0; e < c_.edge_count(); ++e) {
+    if (c_.edges[e].head <= c_.edges[e].tail) return false;
+    if (e > 0 && c_.edges[e].tail < c_.edges[e - 1].tail) return false;
+  }
   ending_count_.assign(c_.vertices.size(), 0);
   some_ending_.resize(c_.vertices.size());
   for (std::size_t e = 0; e < status_edges_.size(); ++e) {
@@ -88,6 +116,10 @@ bool Certifier::prepare() {
     ++ending_count_[c_.edges[e].head];
     some_ending_[c_.edges[e].head] = EdgeId(e);
   }
+  return true;
+}
+
+void Certifier::follow_cycles() {
   next_.resize(2 * c_.edge_count());
   cycle_of_.resize(2 * c_.edge_count());
   for (std::size_t i = 0; i < c_.cycles.size(); ++i) {
@@ -97,15 +129,19 @@ bool Certifier::prepare() {
       cycle_of_[cycle[k]] = CycleId(i);
     }
   }
-  return true;
 }
 
-bool Certifier::enter(VertexId v) {
+/// Whether v is where the line lets it be: between two edges, and at the end of neighbours.
+bool Certifier::reach(VertexId v) {
   around_.clear();
   if (!take_ending(v)) return false;
   const bool is_above_clear = above_ == status_.end() || side(*above_, v) < 0;
   const bool is_below_clear = above_ == status_.begin() || side(*std::prev(above_), v) > 0;
-  if (!is_above_clear || !is_below_clear) return false;
+  return is_above_clear && is_below_clear;
+}
+
+bool Certifier::enter(VertexId v) {
+  if (!reach(v)) return false;
   const bool is_least = c_.vertex_component[v] == outline_.size();  // numbered by least vertices
   if (is_least && !lies_in_parent(v)) return false;
   if (!take_beginning(v) || !turns_clockwise()) return false;
@@ -161,9 +197,7 @@ bool Certifier::turns_clockwise() const {
 
 /// Whether the component of its least vertex v lies in the face that it is a hole of.
 bool Certifier::lies_in_parent(VertexId v) const {
-  std::optional<EdgeId> below;
-  if (above_ != status_.begin()) below = std::prev(above_)->edge;
-  return c_.component_parent[c_.vertex_component[v]] == face_above(c_, below);
+  return c_.component_parent[c_.vertex_component[v]] == face_above(c_, below());
 }
 
 /// Whether each component is a hole once, by the cycle around it, and all other cycles are outer
@@ -205,5 +239,10 @@ bool Certifier::has_right_cycles() const {
 }  // namespace
 
 bool is_certified(const ExactComplex& complex) { return Certifier(complex).run(); }
+
+std::optional<std::vector<std::optional<EdgeId>>> edges_below_components(
+    const ExactComplex& complex) {
+  return Certifier(complex).below_components();
+}
 
 }  // namespace plumbline

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "plumbline/complex.hpp"
 
 namespace plumbline {
@@ -9,5 +12,11 @@ namespace plumbline {
 /// **Exact**: true just if it does. Requires: the invariants of the incidences alone hold. Cost:
 /// O(n log n), nearly all of it in doubles.
 bool is_certified(const ExactComplex& complex);
+
+/// The same for the graph alone, whose faces may be wrong: nothing unless it is proved to keep
+/// DuplicateVertex, DuplicateEdge, VertexOnEdge and Crossing, else the edge just below the least
+/// vertex of each component, if there is one. Requires: no violation of Index. Cost: O(n log n).
+std::optional<std::vector<std::optional<EdgeId>>> edges_below_components(
+    const ExactComplex& complex);
 
 }  // namespace plumbline

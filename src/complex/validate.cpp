@@ -49,9 +49,10 @@ void Violations::add(Violation violation) {
 }
 
 void validate_plane(const ExactComplex& complex, Violations& violations) {
-  validate_graph(complex, violations);
+  const auto below = edges_below_components(complex);
+  if (!below) validate_graph(complex, violations);
   validate_faces(complex, violations);
-  if (!violations.has(Invariant::Derived)) validate_nesting(complex, violations);
+  if (!violations.has(Invariant::Derived)) validate_nesting(complex, below, violations);
 }
 
 std::vector<Violation> validate(const ExactComplex& complex) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "plumbline/complex.hpp"
 
 namespace plumbline {
@@ -29,8 +32,10 @@ void validate_graph(const ExactComplex& complex, Violations& violations);
 /// Invariants of the faces in the plane: Orientation, CyclicOrder, Area.
 void validate_faces(const ExactComplex& complex, Violations& violations);
 /// Nesting: each component lies in the face that its hole (or isolated vertex) belongs to.
-/// Requires: no violation of Derived.
-void validate_nesting(const ExactComplex& complex, Violations& violations);
+/// `below` is what `edges_below_components` found. Requires: no violation of Derived.
+void validate_nesting(const ExactComplex& complex,
+                      const std::optional<std::vector<std::optional<EdgeId>>>& below,
+                      Violations& violations);
 
 /// Those three: what `is_certified` decides at once.
 void validate_plane(const ExactComplex& complex, Violations& violations);
