@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "complex/validate.hpp"
+#include "geometry/filtered_points.hpp"
 
 namespace plumbline {
 namespace {
@@ -38,13 +39,14 @@ std::vector<Item> items(const ExactComplex& c) {
 class Check {
  public:
   Check(const ExactComplex& complex, Violations& violations)
-      : c_(complex), violations_(violations) {}
+      : c_(complex), points_(complex.vertices), violations_(violations) {}
 
   void pair(const Item& i, const Item& j) {
     if (i.edge.valid() && j.edge.valid() && i.tail == j.tail && i.head == j.head) {
       report(Invariant::DuplicateEdge, "two edges join the same vertices", at(i.tail), {}, i, j);
       return;
     }
+    if (i.edge.valid() && j.edge.valid() && (apart(i, j) || apart(j, i))) return;
     bool touched = false;
     for (const VertexId v : {i.tail, i.head}) touched |= vertex_inside(v, j, i);
     for (const VertexId v : {j.tail, j.head}) touched |= vertex_inside(v, i, j);
@@ -72,11 +74,13 @@ class Check {
     return true;
   }
 
-  /// Whether the ends of j lie on one closed side of the line through i.
-  bool separated(const Item& i, const Item& j) const {
-    const int tail = orientation(at(i.tail), at(i.head), at(j.tail));
-    const int head = orientation(at(i.tail), at(i.head), at(j.head));
-    return tail * head >= 0;
+  /// Whether the ends of j lie on one side of the line through i, none on it.
+  bool apart(const Item& i, const Item& j) const { return sides(i, j) > 0; }
+  /// The same, or at least one on it.
+  bool separated(const Item& i, const Item& j) const { return sides(i, j) >= 0; }
+  int sides(const Item& i, const Item& j) const {
+    return points_.orientation(i.tail, i.head, j.tail) *
+           points_.orientation(i.tail, i.head, j.head);
   }
 
   Point crossing(const Item& i, const Item& j) const {
@@ -98,6 +102,7 @@ class Check {
   }
 
   const ExactComplex& c_;
+  const FilteredPoints points_;
   Violations& violations_;
 };
 
