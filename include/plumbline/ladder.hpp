@@ -52,10 +52,10 @@ struct LadderOptions {
 /// exact distances decide. Order: steps do not depend on how the drawing is moved, turned, mirrored
 /// or scaled, unless feet coincide. Degenerate: a complex with at most one vertex has no steps. It
 /// ends early, and says so by `is_complete`, as the options say, or where more than 2^21 pairs are
-/// as near as makes no difference. Requires: a valid complex. Cost: O(n log n) and some
-/// microseconds for each pair within the last radius, but for those of an edge and a vertex that is
-/// merged with an end of it where the edge passes no others.
-/// Throws: Error BadInput for a largest radius that is negative or not a number.
+/// as near as makes no difference, or begin to matter at once. Requires: a valid complex. Cost: O(n
+/// log n) and some microseconds for each pair within the last radius, but for those of an edge and
+/// a vertex that is merged with an end of it where the edge passes no others. Throws: Error
+/// BadInput for a largest radius that is negative or not a number.
 ToleranceLadder tolerance_ladder(const ExactComplex& complex, const LadderOptions& options = {});
 
 }  // namespace plumbline

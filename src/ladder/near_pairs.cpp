@@ -129,12 +129,14 @@ void NearPairs::propose_along(EdgeId e, double least, double most,
   });
 }
 
-/// The pairs of earlier windows for edges that are behind and now led through vertices.
+/// The pairs of earlier windows for edges that are behind and now led through vertices; not all
+/// where they are too many.
 std::vector<NearPairs::Proposal> NearPairs::left_out_before(
     const std::vector<Proposal>& proposals) {
   std::vector<Proposal> left_out;
   for (const Proposal& p : proposals) {
     if (!p.is_edge || !is_behind_[p.other]) continue;
+    if (left_out.size() > kMostProposals) break;
     is_behind_[p.other] = false;
     propose_along(EdgeId(p.other), 0, tree_.above(reached_), left_out);
   }
@@ -189,7 +191,9 @@ std::optional<std::vector<NearPair>> NearPairs::next(double end, std::size_t cou
   tree_.set_labels(labels);
   const std::optional<Window> window = propose(end, count, quotient);
   if (!window) return std::nullopt;
-  std::vector<NearPair> pairs = decided(left_out_before(window->proposals), 0, reached_);
+  const std::vector<Proposal> left_out = left_out_before(window->proposals);
+  if (left_out.size() > kMostProposals) return std::nullopt;
+  std::vector<NearPair> pairs = decided(left_out, 0, reached_);
   std::vector<NearPair> others = decided(window->proposals, reached_, window->end);
   std::move(others.begin(), others.end(), std::back_inserter(pairs));
   reached_ = window->end;
