@@ -96,6 +96,11 @@ inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(
 struct EvaluateOptions {
   std::size_t max_words = kMaxEvaluatedWords;
   std::size_t max_segments = kAnyNumber;
+  /// Whether curves meet what meets them in the drawing: an end of a curve that is known within a
+  /// bound takes the place of an authored end, of another curve's end or on a line within it; and a
+  /// curve gets a vertex where an end lies on it. Never beyond the bound, nor 1e-9 of the extent;
+  /// in the ledger.
+  bool join_curves = true;
 };
 
 /// The segments of all models of a structure in the plane, in traversal order, each model with a
@@ -104,6 +109,10 @@ struct EvaluateOptions {
 /// BadInput for a structure of another dimension than 2; Limit beyond the options, which is told
 /// before the result has grown that far.
 SegmentSet evaluate(const Structure& structure, const EvaluateOptions& options = {});
+
+/// The segments of `rounded(structure)`: what a reader has that parses numbers as doubles and then
+/// computes exactly. Curves are joined where they are in `evaluate(structure)`. Throws: as these.
+SegmentSet evaluate_rounded(const Structure& structure, const EvaluateOptions& options = {});
 
 /// How `struct_to_lar` identifies vertices and cells.
 struct ToLarOptions {

@@ -267,13 +267,12 @@ void Attribution::run_without(const std::string& stage, std::size_t round,
   if (!replaced) return;
   const bool with_correspondence =
       replaced->edge_count() <= kMostEdgesRunAgain && take_correspondence(findings);
-  const Comparison now = compare_steps::compare_cells(exact_, *replaced, comparison_.tolerance,
-                                                      with_correspondence);
+  const Comparison now =
+      compare_steps::compare_cells(exact_, *replaced, comparison_.tolerance, with_correspondence);
   const compare_steps::WrongCells wrong(now, exact_);
   for (const std::size_t i : findings) {
     Cause& cause = *causes_[i];
-    const bool is_known =
-        with_correspondence || !compare_steps::takes_correspondence(findings_[i]);
+    const bool is_known = with_correspondence || !compare_steps::takes_correspondence(findings_[i]);
     if (findings_[i].disagreement == Disagreement::Invalid) {
       cause.remade = !now.float_valid;
       if (!is_cut_once_ || now.float_valid) cause.confirmed = now.float_valid;

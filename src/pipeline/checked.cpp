@@ -60,7 +60,7 @@ Check checked(Drawing drawing, Answer answer, std::optional<double> tolerance, s
               std::function<void(const std::string&)> begins) {
   CheckOptions options{tolerance, {}, threads, std::move(begins)};
   options.parsed = [&] {
-    const SegmentSet input = evaluate(rounded(std::move(drawing.structure)));
+    const SegmentSet input = evaluate_rounded(drawing.structure);
     return drawing.unit_square ? lar::to_unit_square(input) : input;
   };
   return check(std::move(drawing.input), std::move(drawing.complex), std::move(answer), options);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plumbline/read.hpp"
+#include "plumbline/structure/curve.hpp"
 #include "read/circle_points.hpp"
 
 namespace plumbline {
@@ -18,12 +19,6 @@ struct Chords {
 
 /// The bound as a ledger has it: rounded up to two digits, e.g. "0.0013".
 std::string bound_text(double bound);
-
-/// The image of the unit circle: centre + x u + y v.
-struct Ellipse {
-  Point centre;
-  Point u, v;
-};
 
 /// A part of an ellipse, given by points (x, y) of the unit circle.
 struct EllipticArc {

@@ -1,10 +1,14 @@
 // Flattening a hierarchy in the plane to segments.
 
+#include <algorithm>
+#include <cmath>
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/text_rounding.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/structure.hpp"
+#include "structure/joints.hpp"
 #include "structure/plane_map.hpp"
 #include "structure/words.hpp"
 
@@ -27,7 +31,7 @@ class Evaluation {
     reserve();
   }
 
-  SegmentSet run() && {
+  void run() {
     while (traversal_.next()) {
       const Struct::Item& item = traversal_.model();
       if (traversal_.map().dimension() != 2) {
@@ -42,7 +46,13 @@ class Evaluation {
         add(std::get<LarModel>(item), map);
       }
     }
-    return std::move(result_);
+  }
+  SegmentSet segments() && { return std::move(result_); }
+  /// Of what `segments` gives.
+  PlacedCurves curves() const {
+    std::vector<double> rounding = rounding_;
+    rounding.resize(result_.segments.size());
+    return {result_, curves_, std::move(rounding)};
   }
 
  private:
@@ -55,6 +65,7 @@ class Evaluation {
         const auto* model = std::get_if<Model>(&item);
         if (model == nullptr) continue;
         models += model->rows.empty() ? 1 : model->rows.size();
+        has_curves_ = has_curves_ || !model->curves.empty();
         segments += model->segments.size();
       }
     }
@@ -72,7 +83,10 @@ class Evaluation {
   void add(const Model& model, const PlaneMap& map) {
     Source source = model.source;
     if (model.rows.empty()) {
+      const std::size_t first = result_.segments.size();
       add(model.segments, 0, model.segments.size(), add_source(source), map);
+      const bool is_whole = result_.segments.size() == first + model.segments.size();
+      if (is_whole) add_curves(model, first);
       return;
     }
     source.path = traversal_.path();
@@ -92,11 +106,54 @@ class Evaluation {
     segments_.spend(count);
     for (std::size_t i = begin; i < begin + count; ++i) {
       const auto numbers = segments.numbers(i);
+      const std::size_t before = result_.segments.size();
       NumberPoint a = map({numbers[0], numbers[1]});
       NumberPoint b = map({numbers[2], numbers[3]});
       budget_.spend(words(a) + words(b));
       add(std::move(a), std::move(b), source);
+      if (has_curves_ && result_.segments.size() > before) add_rounding(numbers);
     }
+  }
+
+  void add_rounding(std::span<const Number, 4> numbers) {
+    const double ends =
+        std::max(text_rounding(numbers[0], numbers[1]), text_rounding(numbers[2], numbers[3]));
+    rounding_.resize(result_.segments.size());
+    rounding_.back() = ends == 0 ? 0 : ends * stretch(traversal_.map());
+  }
+
+  /// The curves of a model whose segments are in their places, from `first` on.
+  void add_curves(const Model& model, std::size_t first) {
+    constexpr std::size_t kWordsOfCurve = 40;
+    const Affine& map = traversal_.map();
+    const auto turned = [&](const Point& p) {
+      const Point zero = apply(map, Point{}), image = apply(map, p);
+      return Point{image.x - zero.x, image.y - zero.y};
+    };
+    for (Curve curve : model.curves) {
+      budget_.spend(kWordsOfCurve);
+      curve.first += static_cast<std::uint32_t>(first);
+      if (curve.ellipse) {
+        curve.ellipse = Ellipse{apply(map, curve.ellipse->centre), turned(curve.ellipse->u),
+                                turned(curve.ellipse->v)};
+      }
+      for (double* bound : {&curve.chord_bound, &curve.end_bound, &curve.bound}) {
+        *bound *= stretch(map);
+      }
+      curves_.push_back(std::move(curve));
+    }
+  }
+
+  /// No point of the plane is moved further from another one by the map than so many times.
+  static double stretch(const Affine& map) {
+    double sum = 0;
+    for (const std::size_t row : {0, 1}) {
+      for (const std::size_t column : {0, 1}) {
+        const double entry = nearest_double(map(row, column));
+        sum += entry * entry;
+      }
+    }
+    return std::sqrt(sum);
   }
 
   void add(NumberPoint a, NumberPoint b, SourceId source) {
@@ -139,6 +196,9 @@ class Evaluation {
   SegmentSet result_;
   std::unordered_map<const LarModel*, ModelEdges> edges_;
   std::vector<NumberPoint> images_;  ///< of the current LarModel's vertices
+  bool has_curves_ = false;
+  std::vector<Curve> curves_;
+  std::vector<double> rounding_;  ///< where there are curves, per segment
   WordBudget budget_;
   CountBudget segments_;
 };
@@ -146,7 +206,22 @@ class Evaluation {
 }  // namespace
 
 SegmentSet evaluate(const Structure& structure, const EvaluateOptions& options) {
-  return Evaluation(structure, options).run();
+  Evaluation evaluation(structure, options);
+  evaluation.run();
+  if (!options.join_curves) return std::move(evaluation).segments();
+  const Joints joints = find_joints(evaluation.curves());
+  return with_joints(std::move(evaluation).segments(), joints);
+}
+
+SegmentSet evaluate_rounded(const Structure& structure, const EvaluateOptions& options) {
+  Evaluation evaluation(structure, options);
+  evaluation.run();
+  const PlacedCurves curves = evaluation.curves();
+  SegmentSet result =
+      evaluate(rounded(structure), {options.max_words, options.max_segments, false});
+  const bool is_alike = result.segments.size() == curves.set.segments.size();
+  if (!options.join_curves || !is_alike) return result;
+  return with_joints(std::move(result), find_joints(curves));
 }
 
 }  // namespace plumbline

@@ -36,6 +36,7 @@ Model rounded(Model model) {
                        NumberPoint{rounded(numbers[2]), rounded(numbers[3])});
   }
   model.segments = std::move(segments);
+  model.curves.clear();
   return model;
 }
 

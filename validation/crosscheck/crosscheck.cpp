@@ -83,7 +83,7 @@ std::string row(const Structure& structure, const std::string& name, const Campa
   } else {
     parameters["radius"] =
         lar::arrange(input).trace.radius / lar::kDefaultRelativeRadius * *run.relative_radius;
-    options.parsed = [&] { return evaluate(rounded(structure)); };
+    options.parsed = [&] { return evaluate_rounded(structure); };
   }
   ExactComplex complex = arrange(input);
   const std::size_t segments = input.segments.size();

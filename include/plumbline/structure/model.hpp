@@ -6,6 +6,7 @@
 
 #include "plumbline/detail/lists.hpp"
 #include "plumbline/structure/affine.hpp"
+#include "plumbline/structure/curve.hpp"
 
 namespace plumbline {
 
@@ -26,6 +27,7 @@ struct Model {
   /// Empty, or in the order of the segments what replaces the source's line, column and id.
   std::vector<Row> rows = {};
   std::vector<std::string> row_ids = {};
+  std::vector<Curve> curves = {};  ///< which segments are chords; only where there are no rows
 
   friend bool operator==(const Model&, const Model&) = default;
 };

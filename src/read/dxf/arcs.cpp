@@ -1,7 +1,10 @@
 // ARC, CIRCLE and ELLIPSE.
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "geometry/text_rounding.hpp"
 #include "plumbline/error.hpp"
 #include "read/dxf/curves.hpp"
 #include "read/dxf/names.hpp"
@@ -11,31 +14,62 @@ namespace {
 
 constexpr int kCentre = 10;
 constexpr int kRadius = 40;
+constexpr double kRadiansPerDegree = 0.017453292519943295;
 
-DrawnEntity chain(Chords chords, Plane plane, const char* curve) {
+/// An ellipse, how far it may be from what the file's long numbers were rounded from, and the
+/// angles from theirs.
+struct Placed {
+  Ellipse ellipse;
+  double bound = 0;
+  double angle_bound = 0;  ///< in radians
+};
+
+double longer_axis(const Ellipse& e) {
+  const auto length = [](const Point& p) {
+    return std::hypot(nearest_double(p.x), nearest_double(p.y));
+  };
+  return std::hypot(length(e.u), length(e.v));
+}
+
+DrawnEntity chain(Chords chords, const Placed& placed, double end_bound, Plane plane,
+                  const char* name) {
   DrawnEntity drawn;
-  if (plane == Plane::Back) mirror_x(chords.points);
-  append_chain(drawn.segments, chords.points);
-  drawn.replaced.push_back(by_chords(curve, chords.bound));
+  Curve curve{0, 0, placed.ellipse, chords.bound, end_bound, placed.bound};
+  if (plane == Plane::Back) {
+    mirror_x(chords.points);
+    mirror_x(*curve.ellipse);
+  }
+  append_curve(drawn, chords.points, std::move(curve));
+  drawn.replaced.push_back(by_chords(name, chords.bound));
   return drawn;
 }
 
-Ellipse circle_of(const Entity& entity) {
-  const Rational radius = entity.number(kRadius).rational();
+DrawnEntity whole(const Placed& placed, Plane plane, const char* name, Pen& pen) {
+  return chain(pen.ellipse(placed.ellipse), placed, 0, plane, name);
+}
+
+Placed circle_of(const Entity& entity) {
+  const Number radius = entity.number(kRadius);
   if (sgn(radius) <= 0) {
     throw Unusable{"radius is not positive", "group 40: " + in_ascii(entity.text(kRadius))};
   }
-  return {entity.exact_point(kCentre), {radius, 0}, {0, radius}};
+  const Rational r = radius.rational();
+  return {{entity.exact_point(kCentre), {r, 0}, {0, r}},
+          text_rounding(entity.point(kCentre)) + text_rounding(radius, {}),
+          0};
 }
 
 /// The part of an ellipse between two angles, counter-clockwise.
-DrawnEntity draw_part(const Ellipse& ellipse, const Rational& from, const Rational& to, Plane plane,
+DrawnEntity draw_part(const Placed& placed, const Rational& from, const Rational& to, Plane plane,
                       const char* curve, Pen& pen) {
   const ApproximatePoint start = circle_point(from, pen.angle_bound);
   const ApproximatePoint end = circle_point(to, pen.angle_bound);
   if (start.point == end.point) throw Unusable{"arc of an angle below the bound", {}};
-  DrawnEntity drawn = chain(pen.arc({ellipse, start.point, end.point, false}), plane, curve);
   const Rational bound = std::max(start.bound, end.bound);
+  const double end_bound =
+      placed.bound + (placed.angle_bound + nearest_double(bound)) * longer_axis(placed.ellipse);
+  DrawnEntity drawn = chain(pen.arc({placed.ellipse, start.point, end.point, false}), placed,
+                            end_bound, plane, curve);
   if (bound != 0) {
     drawn.replaced.push_back({std::string("end of an ") + curve, nearest_double(bound), "rad"});
   }
@@ -63,17 +97,19 @@ Substitution by_chords(const char* curve, double bound) {
 }
 
 DrawnEntity draw_arc(const Entity& entity, Pen& pen) {
-  const Ellipse circle = circle_of(entity);
+  Placed circle = circle_of(entity);
   const Rational from = entity.number(50).rational();
   const Rational to = entity.number(51).rational();
+  circle.angle_bound =
+      std::max(half_unit(entity.number(50)), half_unit(entity.number(51))) * kRadiansPerDegree;
   const Plane plane = plane_of(entity);
   if (from == to) throw Unusable{"arc of no angle", "group 51: " + in_ascii(entity.text(51))};
-  if (within_turn(to - from) == 0) return chain(pen.ellipse(circle), plane, "arc");
+  if (within_turn(to - from) == 0) return whole(circle, plane, "arc", pen);
   return draw_part(circle, from, to, plane, "arc", pen);
 }
 
 DrawnEntity draw_circle(const Entity& entity, Pen& pen) {
-  return chain(pen.ellipse(circle_of(entity)), plane_of(entity), "circle");
+  return whole(circle_of(entity), plane_of(entity), "circle", pen);
 }
 
 DrawnEntity draw_ellipse(const Entity& entity, Pen& pen) {
@@ -83,10 +119,14 @@ DrawnEntity draw_ellipse(const Entity& entity, Pen& pen) {
   Rational ratio = entity.number(kRadius).rational();
   if (plane_of(entity) == Plane::Back) ratio = -ratio;
   if (u == Point{0, 0} || sgn(ratio) == 0) throw Unusable{"ellipse with an axis of no length", {}};
-  const Ellipse ellipse{centre, u, {-ratio * u.y, ratio * u.x}};
-  if (!entity.has(41) && !entity.has(42)) {
-    return chain(pen.ellipse(ellipse), Plane::Front, "ellipse");
-  }
+  const Placed ellipse{
+      {centre, u, {-ratio * u.y, ratio * u.x}},
+      text_rounding(entity.point(kCentre)) + text_rounding(entity.point(11)) +
+          half_unit(entity.number(kRadius)) * std::hypot(nearest_double(u.x), nearest_double(u.y)),
+      entity.has(41) && entity.has(42)
+          ? std::max(half_unit(entity.number(41)), half_unit(entity.number(42)))
+          : 0};
+  if (!entity.has(41) && !entity.has(42)) return whole(ellipse, Plane::Front, "ellipse", pen);
   const Rational from = degrees_of(entity.number(41).rational());
   const Rational to = degrees_of(entity.number(42).rational());
   if (from == to) throw Unusable{"ellipse of no angle", "group 42: " + in_ascii(entity.text(42))};
@@ -97,9 +137,9 @@ DrawnEntity draw_ellipse(const Entity& entity, Pen& pen) {
     return draw_part(ellipse, from, to, Plane::Front, "ellipse", pen);
   }
   if (abs(to - from) < 1) throw Unusable{"arc of an angle below the bound", {}};
-  DrawnEntity whole = chain(pen.ellipse(ellipse), Plane::Front, "ellipse");
-  whole.replaced.push_back({"end of a whole ellipse by its start", 1e-5, "rad"});
-  return whole;
+  DrawnEntity drawn = whole(ellipse, Plane::Front, "ellipse", pen);
+  drawn.replaced.push_back({"end of a whole ellipse by its start", 1e-5, "rad"});
+  return drawn;
 }
 
 }  // namespace plumbline::dxf

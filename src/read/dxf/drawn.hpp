@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plumbline/geometry.hpp"
+#include "plumbline/structure/curve.hpp"
 #include "read/attribute.hpp"
 
 namespace plumbline::dxf {
@@ -18,12 +18,17 @@ struct Substitution {
 /// What one entity draws, in the coordinates of the space that holds it.
 struct DrawnEntity {
   SegmentList segments;
+  std::vector<Curve> curves;  ///< which segments are chords
   std::vector<Substitution> replaced;
   std::vector<Unusable> refused;  ///< parts that take no part
 };
 
 /// Appends the segments between successive points.
 void append_chain(SegmentList& segments, const std::vector<NumberPoint>& points);
+/// Appends the chords of a curve, whose `first` and `count` this sets.
+void append_curve(DrawnEntity& drawn, const std::vector<NumberPoint>& chords, Curve curve);
+/// The curve as it is seen from +z, given in coordinates for -z.
+void mirror_x(Ellipse& ellipse);
 /// Appends the segments of the closed polygon.
 void append_ring(SegmentList& segments, const std::vector<NumberPoint>& points);
 

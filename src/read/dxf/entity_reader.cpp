@@ -151,7 +151,8 @@ void EntityReader::add_drawn(DrawnEntity drawn, const Source& source, std::size_
     }
   }
   if (has_height) in.tally.leave_out(at(), kHeightLeftOut);
-  if (!drawn.segments.empty()) in.add(layer, Model{source, std::move(drawn.segments), {}});
+  if (drawn.segments.empty()) return;
+  in.add(layer, Model{source, std::move(drawn.segments), {}, {}, std::move(drawn.curves)});
 }
 
 }  // namespace plumbline::dxf

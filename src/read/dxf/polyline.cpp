@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "geometry/point_d.hpp"
+#include "geometry/text_rounding.hpp"
 #include "read/dxf/curves.hpp"
 
 namespace plumbline::dxf {
@@ -140,10 +142,18 @@ DrawnEntity draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plan
     if (sgn(from.bulge) != 0 && from.point != to.point) {
       const Point a{from.point.x.rational(), from.point.y.rational()};
       const Point b{to.point.x.rational(), to.point.y.rational()};
-      Chords chords = pen.arc(bulge_arc(a, b, from.bulge.rational()));
-      points = std::move(chords.points);
+      EllipticArc arc = bulge_arc(a, b, from.bulge.rational());
+      Chords chords = pen.arc(arc);
       bound = std::max(bound, chords.bound);
       has_arc = true;
+      const double rounding = text_rounding(from.point) + text_rounding(to.point) +
+                              half_unit(from.bulge) * distance(nearest(a), nearest(b));
+      if (plane == Plane::Back) {
+        mirror_x(chords.points);
+        mirror_x(arc.ellipse);
+      }
+      append_curve(drawn, chords.points, {0, 0, std::move(arc.ellipse), chords.bound, 0, rounding});
+      return;
     }
     if (plane == Plane::Back) mirror_x(points);
     append_chain(drawn.segments, points);

@@ -1,7 +1,11 @@
 // SPLINE: the Bezier pieces of a B-spline with weights, by its polar form. Exact.
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
 
+#include "geometry/text_rounding.hpp"
 #include "read/dxf/curves.hpp"
 
 namespace plumbline::dxf {
@@ -102,6 +106,15 @@ WeightedPoint polar_form(const Spline& spline, std::size_t k, std::size_t low) {
   return d[0];
 }
 
+double rounding_of_controls(const Entity& entity) {
+  double rounding = 0;
+  for (const Group& group : entity.record().groups) {
+    if (group.code != kControlX && group.code != kControlY) continue;
+    rounding = std::max(rounding, text_rounding(number_of(group, entity.numbers()), {}));
+  }
+  return rounding;
+}
+
 }  // namespace
 
 DrawnEntity draw_spline(const Entity& entity, Pen& pen) {
@@ -109,6 +122,7 @@ DrawnEntity draw_spline(const Entity& entity, Pen& pen) {
   const std::size_t p = spline.degree;
   DrawnEntity drawn;
   double bound = 0;
+  std::vector<NumberPoint> all;
   for (std::size_t k = p; k < spline.points.size(); ++k) {
     if (spline.knots[k] == spline.knots[k + 1]) continue;
     std::vector<Point> points;
@@ -118,11 +132,13 @@ DrawnEntity draw_spline(const Entity& entity, Pen& pen) {
       points.push_back({b.x / b.w, b.y / b.w});
       weights.push_back(b.w);
     }
-    const Chords chords = pen.bezier(points, weights);
-    append_chain(drawn.segments, chords.points);
+    Chords chords = pen.bezier(points, weights);
+    if (all.empty()) all.push_back(std::move(chords.points.front()));
+    std::move(chords.points.begin() + 1, chords.points.end(), std::back_inserter(all));
     bound = std::max(bound, chords.bound);
   }
-  if (drawn.segments.empty()) refuse("spline without extent: all its knots are equal");
+  if (all.empty()) refuse("spline without extent: all its knots are equal");
+  append_curve(drawn, all, {0, 0, std::nullopt, bound, rounding_of_controls(entity), 0});
   drawn.replaced.push_back(by_chords("spline", bound));
   return drawn;
 }

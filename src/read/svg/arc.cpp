@@ -1,5 +1,6 @@
 #include "read/svg/arc.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "read/square_root.hpp"
@@ -47,9 +48,11 @@ PlacedArc place_arc(const SvgArc& arc, double bound) {
   ApproximatePoint axis{{1, 0}, 0};
   if (rx != ry) axis = circle_point(arc.rotation, bound);
   const std::string bound_digits = shortest_text(bound);
+  const double longer = nearest_double(std::max(rx, ry));
   if (axis.bound != 0) {
     placed.replaced.push_back(
         {{}, "rotation of an arc by " + exact_text(arc.rotation), bound_digits + " rad"});
+    placed.bound += bound * longer;
   }
   const EllipseFrame frame(axis.point, rx, ry);
   const Point from = frame.in(arc.from);
@@ -58,6 +61,7 @@ PlacedArc place_arc(const SvgArc& arc, double bound) {
   // The radius is chord / 2 * sqrt(1 + cotangent^2): its relative change is no larger.
   if (cotangent.bound != 0) {
     placed.replaced.push_back({{}, "radii of an arc", bound_digits + " of themselves"});
+    placed.bound += bound * longer;
   }
   if (arc.large) cotangent.value = -cotangent.value;
   placed.arc = arc_between(from, to, cotangent.value, !arc.sweep);

@@ -10,15 +10,17 @@ namespace plumbline {
 struct SvgArc {
   Point from, to;
   Rational rx, ry;
-  Rational rotation;   ///< of the ellipse's x axis, in degrees
-  bool large = false;  ///< the arc of more than half the ellipse
-  bool sweep = false;  ///< in the direction from +x to +y
+  Rational rotation;    ///< of the ellipse's x axis, in degrees
+  bool large = false;   ///< the arc of more than half the ellipse
+  bool sweep = false;   ///< in the direction from +x to +y
+  double rounding = 0;  ///< how far it may be from what the texts of its numbers were rounded from
 };
 
 /// The same by its ellipse, and what had to be replaced by how much (without source).
 struct PlacedArc {
   EllipticArc arc;
   std::vector<Replacement> replaced;
+  double bound = 0;  ///< how far they move it
 };
 
 /// The ellipse through both ends. **Exact** but for what `replaced` lists: an axis direction that

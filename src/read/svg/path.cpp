@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "geometry/text_rounding.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -151,13 +153,15 @@ class PathParser {
       pen_.line_to(std::move(end));
       return;
     }
-    const SvgArc arc{{from.x.rational(), from.y.rational()},
-                     {end.x.rational(), end.y.rational()},
-                     arguments_[0].rational(),
-                     arguments_[1].rational(),
-                     arguments_[2].rational(),
-                     sgn(arguments_[3]) != 0,
-                     sgn(arguments_[4]) != 0};
+    const SvgArc arc{
+        {from.x.rational(), from.y.rational()},
+        {end.x.rational(), end.y.rational()},
+        arguments_[0].rational(),
+        arguments_[1].rational(),
+        arguments_[2].rational(),
+        sgn(arguments_[3]) != 0,
+        sgn(arguments_[4]) != 0,
+        text_rounding(from) + text_rounding(end) + text_rounding(arguments_[0], arguments_[1])};
     draw_curve(command, end, [&](const std::string& what) { pen_.arc_to(arc, what); });
   }
 

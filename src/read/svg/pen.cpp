@@ -25,15 +25,19 @@ void SvgPen::curve_to(std::span<const NumberPoint> controls, const std::string& 
 
 void SvgPen::arc_to(const SvgArc& arc, const std::string& what) {
   const PlacedArc placed = place_arc(arc, bound_);
-  draw(placed.arc, what);
+  draw(placed.arc, what, placed.bound + arc.rounding);
   for (const Replacement& replaced : placed.replaced) {
     auto& all = pieces_.replaced;
     if (std::find(all.begin(), all.end(), replaced) == all.end()) all.push_back(replaced);
   }
 }
 
-void SvgPen::draw(const EllipticArc& arc, const std::string& what) {
-  draw(flattener_.arc(arc), what);
+void SvgPen::draw(const EllipticArc& arc, const std::string& what, double bound) {
+  const Chords chords = flattener_.arc(arc);
+  pieces_.curves.push_back({static_cast<std::uint32_t>(pieces_.segments.size()),
+                            static_cast<std::uint32_t>(chords.points.size() - 1), arc.ellipse,
+                            chords.bound, 0, bound});
+  draw(chords, what);
 }
 
 void SvgPen::draw(const Chords& chords, const std::string& what) {

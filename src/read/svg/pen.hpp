@@ -16,6 +16,7 @@ namespace plumbline {
 /// replaced (without source).
 struct Pieces {
   SegmentList segments;
+  std::vector<Curve> curves;  ///< parts of ellipses, which segments replace
   std::vector<Unusable> refused;
   std::vector<Replacement> replaced;
 };
@@ -38,8 +39,8 @@ class SvgPen {
   void curve_to(std::span<const NumberPoint> controls, const std::string& what);
   /// The arc, which starts here. Throws: as above.
   void arc_to(const SvgArc& arc, const std::string& what);
-  /// A part of an ellipse, the pen being at its start. Throws: as above.
-  void draw(const EllipticArc& arc, const std::string& what);
+  /// A part of an ellipse known within `bound`, the pen being at its start. Throws: as above.
+  void draw(const EllipticArc& arc, const std::string& what, double bound = 0);
   /// Back to the start of the subpath, unless the pen is there.
   void close();
   void refuse(Unusable problem) { pieces_.refused.push_back(std::move(problem)); }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/text_rounding.hpp"
 #include "read/square_root.hpp"
 
 namespace plumbline {
@@ -55,7 +56,7 @@ class ShapeReader {
   Pieces circle() const {
     std::optional<Replacement> replaced;
     const Number r = positive(circle_radius(replaced), element_, "r");
-    Pieces pieces = whole(ellipse_at(x("cx"), y("cy"), r, r), "circle");
+    Pieces pieces = whole({x("cx"), y("cy")}, {r, r}, "circle");
     if (replaced) pieces.replaced.push_back(std::move(*replaced));
     return pieces;
   }
@@ -64,8 +65,9 @@ class ShapeReader {
     const auto rx = radius("rx", viewport_.width);
     const auto ry = radius("ry", viewport_.height);
     if (!rx && !ry) throw Unusable{"ellipse without radii", {}};
-    return whole(ellipse_at(x("cx"), y("cy"), positive(rx ? *rx : *ry, element_, rx ? "rx" : "ry"),
-                            positive(ry ? *ry : *rx, element_, ry ? "ry" : "rx")),
+    return whole({x("cx"), y("cy")},
+                 {positive(rx ? *rx : *ry, element_, rx ? "rx" : "ry"),
+                  positive(ry ? *ry : *rx, element_, ry ? "ry" : "rx")},
                  "ellipse");
   }
 
@@ -116,13 +118,13 @@ class ShapeReader {
     return length("r", diagonal.value);
   }
 
-  Pieces whole(const Ellipse& ellipse, const char* what) const {
+  Pieces whole(const NumberPoint& centre, const NumberPoint& radii, const char* what) const {
     SvgPen p = pen();
     EllipticArc arc;
-    arc.ellipse = ellipse;
+    arc.ellipse = ellipse_at(centre.x, centre.y, radii.x, radii.y);
     arc.end = arc.start;
-    p.move_to({Rational(ellipse.centre.x + ellipse.u.x), ellipse.centre.y});
-    p.draw(arc, what);
+    p.move_to({centre.x + radii.x, centre.y});
+    p.draw(arc, what, text_rounding(centre) + text_rounding(radii));
     return std::move(p).finish();
   }
 

@@ -254,7 +254,7 @@ class SvgReader {
     }
     if (transform && !pieces.segments.empty()) record(element, transform->replaced);
     record(element, pieces.replaced);
-    Model model{source_of(element), std::move(pieces.segments), {}};
+    Model model{source_of(element), std::move(pieces.segments), {}, {}, std::move(pieces.curves)};
     if (!transform && !is_referenced) {
       if (!model.segments.empty()) {
         structure_.structs[frames_.back().id].body.emplace_back(std::move(model));
