@@ -1,404 +1,282 @@
-// Where curves meet what meets them.
+// Where curves meet what meets them: first their ends, then what lies on them or crosses them.
 
 #include "structure/joints.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <cmath>
-#include <iterator>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
-#include "geometry/point_d.hpp"
 #include "geometry/rejected.hpp"
 #include "geometry/union_find.hpp"
-#include "structure/unit_frame.hpp"
+#include "structure/placed_curves.hpp"
 
 namespace plumbline {
 namespace {
 
-namespace bg = boost::geometry;
-using Corner = bg::model::d2::point_xy<double>;
-using Rectangle = bg::model::box<Corner>;
-using Entry = std::pair<Rectangle, std::size_t>;
-using BoxTree = bg::index::rtree<Entry, bg::index::rstar<16>>;
-
-/// Outweighs the rounding of a few operations in doubles, as a part of the largest coordinate.
-constexpr double kSlack = 0x1p-48;
-
-/// An end of a curve, and where it is to be.
+/// An end of a curve that is known within a bound, and where it is to be.
 struct End {
   std::size_t curve;
   bool is_last;
   Point at;
   double bound;
   std::optional<Point> place = {};
-};
 
-/// A point that curves may be joined to, known within `rounding`.
-struct Authored {
-  Point at;
-  double rounding;
+  const Point& settled() const { return place ? *place : at; }
 };
 
 double distance_of(const Point& p, const Point& q) { return nearest_sqrt(squared_distance(p, q)); }
 
-class JointFinder {
+/// Both ends of each curve that is open and not given by its ends, one after the other.
+std::vector<End> uncertain_ends(const CurvesInPlace& in) {
+  std::vector<End> ends;
+  for (std::size_t c = 0; c < in.curves.size(); ++c) {
+    const Curve& curve = in.curves[c];
+    if (curve.end_bound <= 0 || in.is_closed(curve)) continue;
+    ends.push_back({c, false, in.first_point(curve), curve.end_bound});
+    ends.push_back({c, true, in.last_point(curve), curve.end_bound});
+  }
+  return ends;
+}
+
+/// Boxes around the ends that have no place yet, of what may be joined to them.
+class OpenEnds {
  public:
-  explicit JointFinder(const PlacedCurves& placed)
-      : placed_(placed), segments_(placed.set.segments) {
-    is_chord_.resize(segments_.size());
-    for (const Curve& curve : placed_.curves) {
-      for (std::size_t i = 0; i < curve.count; ++i) is_chord_[curve.first + i] = true;
+  OpenEnds(const CurvesInPlace& in, const std::vector<End>& ends) {
+    std::vector<BoxD> boxes;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (ends[i].place) continue;
+      const PointD p = nearest(ends[i].at);
+      boxes.push_back(grown({p, p}, in.within(ends[i].bound + in.most) + in.slack));
+      numbers_.push_back(i);
     }
-    BoxD box{};
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      for (const PointD& p : {rough(i, false), rough(i, true)}) {
-        if (i == 0) box = {p, p};
-        box.include(p);
-      }
-    }
-    cap_ = kMostJoined * box.longer_side();
-    slack_ = kSlack * std::max({-box.low.x, -box.low.y, box.high.x, box.high.y});
-    most_rounding_ = 0;
-    for (const double r : placed_.rounding) most_rounding_ = std::max(most_rounding_, r);
+    tree_.emplace(boxes);
   }
 
-  Joints run() && {
-    collect_ends();
-    take_authored_ends();
-    take_ends_of_curves();
-    take_lines();
-    add_ends();
-    add_points_on_curves();
-    sort();
-    tell();
-    return std::move(result_);
+  const std::vector<std::size_t>& numbers() const { return numbers_; }
+  template <class Shape>
+  std::vector<std::size_t> near(const Shape& shape) const {
+    std::vector<std::size_t> found = tree_->meeting(shape);
+    for (std::size_t& i : found) i = numbers_[i];
+    return found;
   }
 
  private:
-  PointD rough(std::size_t segment, bool is_b) const {
-    const auto n = segments_.numbers(segment);
-    return is_b ? nearest({n[2], n[3]}) : nearest({n[0], n[1]});
-  }
-  Point end_of(std::size_t segment, bool is_b) const {
-    const auto n = segments_.numbers(segment);
-    return is_b ? Point{n[2].rational(), n[3].rational()} : Point{n[0].rational(), n[1].rational()};
-  }
-  Point first_point(const Curve& c) const { return end_of(c.first, false); }
-  Point last_point(const Curve& c) const { return end_of(c.first + c.count - 1, true); }
-  bool is_closed(const Curve& c) const { return first_point(c) == last_point(c); }
-  static Rectangle box_around(const PointD& p, double reach) {
-    return {{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}};
-  }
-  double within(double bound) const { return std::min(bound, cap_); }
-
-  void collect_ends();
-  void take_authored_ends();
-  void take_ends_of_curves();
-  void take_lines();
-  void add_ends();
-  void add_points_on_curves();
-  void sort();
-  void tell();
-  /// Calls visit(end, i) for the ends without a place near segments that are no chords.
-  template <class Visit>
-  void for_each_near_line(double reach, Visit visit) const;
-  std::vector<Authored> authored_points() const;
-  void add_point_on(const Authored& p, const Curve& curve, std::size_t chord);
-
-  const PlacedCurves& placed_;
-  const SegmentList& segments_;
-  std::vector<bool> is_chord_;
-  double cap_ = 0, slack_ = 0, most_rounding_ = 0;
-  std::vector<End> ends_;
-  Joints result_;
-  std::size_t joined_ends_ = 0, joined_points_ = 0;
-  double farthest_end_ = 0, farthest_point_ = 0;
+  std::vector<std::size_t> numbers_;
+  std::optional<BoxTree> tree_;
 };
 
-void JointFinder::collect_ends() {
-  for (std::size_t c = 0; c < placed_.curves.size(); ++c) {
-    const Curve& curve = placed_.curves[c];
-    if (curve.end_bound <= 0 || is_closed(curve)) continue;
-    ends_.push_back({c, false, first_point(curve), curve.end_bound});
-    ends_.push_back({c, true, last_point(curve), curve.end_bound});
-  }
-}
+/// The nearest of the places found for each end, and whether another one is as near.
+class Nearest {
+ public:
+  explicit Nearest(std::size_t count) : choices_(count) {}
 
-template <class Visit>
-void JointFinder::for_each_near_line(double reach, Visit visit) const {
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < ends_.size(); ++i) {
-    if (!ends_[i].place) entries.emplace_back(box_around(nearest(ends_[i].at), reach), i);
-  }
-  if (entries.empty()) return;
-  const BoxTree tree(entries);
-  for (std::size_t s = 0; s < segments_.size(); ++s) {
-    if (is_chord_[s]) continue;
-    const PointD a = rough(s, false), b = rough(s, true);
-    const bg::model::segment<Corner> line({a.x, a.y}, {b.x, b.y});
-    for (auto it = tree.qbegin(bg::index::intersects(line)); it != tree.qend(); ++it) {
-      visit(it->second, s);
+  void offer(std::size_t end, Rational squared, const Point& place) {
+    std::optional<Choice>& choice = choices_[end];
+    if (!choice || squared < choice->squared) {
+      choice = {std::move(squared), place, false};
+    } else if (squared == choice->squared && place != choice->place) {
+      choice->is_tied = true;
     }
   }
-}
 
-/// The authored ends: those of lines, and those of curves that are given by them.
-std::vector<Authored> JointFinder::authored_points() const {
-  std::vector<Authored> points;
-  for (std::size_t s = 0; s < segments_.size(); ++s) {
-    if (is_chord_[s]) continue;
-    for (const bool is_b : {false, true}) points.push_back({end_of(s, is_b), placed_.rounding[s]});
+  /// Gives the ends their places; returns those that have a choice of two.
+  std::vector<std::size_t> settle(std::vector<End>& ends) const {
+    std::vector<std::size_t> tied;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (!choices_[i]) continue;
+      if (choices_[i]->is_tied) {
+        tied.push_back(i);
+      } else {
+        ends[i].place = choices_[i]->place;
+      }
+    }
+    return tied;
   }
-  for (const Curve& curve : placed_.curves) {
-    if (curve.end_bound > 0 || is_closed(curve)) continue;
-    points.push_back({first_point(curve), curve.bound});
-    points.push_back({last_point(curve), curve.bound});
-  }
-  return points;
-}
 
-void JointFinder::take_authored_ends() {
-  if (ends_.empty()) return;
-  double most = most_rounding_;
-  std::vector<Entry> entries;
-  for (const Curve& curve : placed_.curves) most = std::max(most, curve.bound);
-  for (std::size_t i = 0; i < ends_.size(); ++i) {
-    const double reach = within(ends_[i].bound + most) + slack_;
-    entries.emplace_back(box_around(nearest(ends_[i].at), reach), i);
-  }
-  const BoxTree tree(entries);
+ private:
   struct Choice {
     Rational squared;
     Point place;
-    bool is_tied = false;
+    bool is_tied;
   };
-  std::vector<std::optional<Choice>> choices(ends_.size());
-  for (const Authored& p : authored_points()) {
+  std::vector<std::optional<Choice>> choices_;
+};
+
+std::vector<std::size_t> take_authored_ends(std::vector<End>& ends, const CurvesInPlace& in,
+                                            const std::vector<Authored>& points) {
+  const OpenEnds open(in, ends);
+  Nearest nearest_place(ends.size());
+  for (const Authored& p : points) {
     const PointD at = nearest(p.at);
-    for (auto it = tree.qbegin(bg::index::intersects(Corner(at.x, at.y))); it != tree.qend();
-         ++it) {
-      const End& end = ends_[it->second];
-      Rational squared = squared_distance(end.at, p.at);
-      if (nearest_sqrt(squared) > within(end.bound + p.rounding)) continue;
-      std::optional<Choice>& choice = choices[it->second];
-      if (!choice || squared < choice->squared) {
-        choice = {std::move(squared), p.at, false};
-      } else if (squared == choice->squared && p.at != choice->place) {
-        choice->is_tied = true;
-      }
+    for (const std::size_t i : open.near(BoxD{at, at})) {
+      Rational squared = squared_distance(ends[i].at, p.at);
+      if (nearest_sqrt(squared) > in.within(ends[i].bound + p.rounding)) continue;
+      nearest_place.offer(i, std::move(squared), p.at);
     }
   }
-  for (std::size_t i = 0; i < ends_.size(); ++i) {
-    if (!choices[i]) continue;
-    if (choices[i]->is_tied) {
-      const Curve& curve = placed_.curves[ends_[i].curve];
-      result_.refused.push_back(
-          make_rejected(placed_.set.sources[placed_.set.segment_source[curve.first]],
-                        "two ends are equally near the end of a curve, which is left apart",
-                        to_text(ends_[i].at)));
-    } else {
-      ends_[i].place = choices[i]->place;
-    }
-  }
+  return nearest_place.settle(ends);
 }
 
 /// Ends of curves that nothing authored is near to, but each other: the place of the sharpest one.
-void JointFinder::take_ends_of_curves() {
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < ends_.size(); ++i) {
-    const double reach = within(2 * ends_[i].bound) + slack_;
-    if (!ends_[i].place) entries.emplace_back(box_around(nearest(ends_[i].at), reach), i);
-  }
-  if (entries.empty()) return;
-  const BoxTree tree(entries);
+void take_ends_of_curves(std::vector<End>& ends, const CurvesInPlace& in) {
+  const OpenEnds open(in, ends);
   const auto are_near = [&](const End& a, const End& b) {
-    return a.curve != b.curve && distance_of(a.at, b.at) <= within(a.bound + b.bound);
+    return a.curve != b.curve && distance_of(a.at, b.at) <= in.within(a.bound + b.bound);
   };
-  UnionFind sets(ends_.size());
-  for (const auto& [box, i] : entries) {
-    const PointD at = nearest(ends_[i].at);
-    for (auto it = tree.qbegin(bg::index::intersects(Corner(at.x, at.y))); it != tree.qend();
-         ++it) {
-      if (it->second != i && are_near(ends_[i], ends_[it->second])) sets.unite(i, it->second);
+  UnionFind sets(ends.size());
+  for (const std::size_t i : open.numbers()) {
+    const PointD at = nearest(ends[i].at);
+    for (const std::size_t j : open.near(BoxD{at, at})) {
+      if (j != i && are_near(ends[i], ends[j])) sets.unite(i, j);
     }
   }
   std::map<std::size_t, std::size_t> sharpest;  // by set
-  const auto is_sharper = [&](std::size_t i, std::size_t j) {
-    return std::tie(ends_[i].bound, ends_[i].at) < std::tie(ends_[j].bound, ends_[j].at);
+  const auto is_sharper = [&](const End& a, const End& b) {
+    return std::tie(a.bound, a.at) < std::tie(b.bound, b.at);
   };
-  for (const auto& [box, i] : entries) {
+  for (const std::size_t i : open.numbers()) {
     const auto [found, is_new] = sharpest.try_emplace(sets.find(i), i);
-    if (!is_new && is_sharper(i, found->second)) found->second = i;
+    if (!is_new && is_sharper(ends[i], ends[found->second])) found->second = i;
   }
-  for (const auto& [box, i] : entries) {
-    const End& best = ends_[sharpest[sets.find(i)]];
-    if (ends_[i].at != best.at && are_near(ends_[i], best)) ends_[i].place = best.at;
+  for (const std::size_t i : open.numbers()) {
+    const End& best = ends[sharpest[sets.find(i)]];
+    if (ends[i].at != best.at && are_near(ends[i], best)) ends[i].place = best.at;
   }
 }
 
-/// An end that is near no other one, but on a line.
-void JointFinder::take_lines() {
-  double most = 0;
-  for (const End& end : ends_) most = std::max(most, end.bound);
-  std::map<std::size_t, std::pair<Rational, Point>> nearest_foot;
-  for_each_near_line(within(most + most_rounding_) + slack_, [&](std::size_t i, std::size_t s) {
-    const End& end = ends_[i];
-    const Point a = end_of(s, false), b = end_of(s, true);
-    const Rational ux = b.x - a.x, uy = b.y - a.y;
-    const Rational along = (ux * (end.at.x - a.x) + uy * (end.at.y - a.y)) / (ux * ux + uy * uy);
-    if (along <= 0 || along >= 1) return;
-    Point foot{a.x + along * ux, a.y + along * uy};
-    Rational squared = squared_distance(foot, end.at);
-    if (nearest_sqrt(squared) > within(end.bound + placed_.rounding[s])) return;
-    const auto found = nearest_foot.find(i);
-    if (found == nearest_foot.end() ||
-        std::tie(squared, foot) < std::tie(found->second.first, found->second.second)) {
-      nearest_foot[i] = {std::move(squared), std::move(foot)};
+/// Ends that are near no other one, but lie on a line.
+std::vector<std::size_t> take_lines(std::vector<End>& ends, const CurvesInPlace& in) {
+  const OpenEnds open(in, ends);
+  Nearest nearest_foot(ends.size());
+  for (std::size_t s = 0; s < in.segments.size(); ++s) {
+    if (in.is_chord[s] || open.numbers().empty()) continue;
+    for (const std::size_t i : open.near(in.rough(s))) {
+      const Point a = in.end_of(s, false), b = in.end_of(s, true);
+      const Rational ux = b.x - a.x, uy = b.y - a.y;
+      const Rational along =
+          (ux * (ends[i].at.x - a.x) + uy * (ends[i].at.y - a.y)) / (ux * ux + uy * uy);
+      if (along <= 0 || along >= 1) continue;
+      const Point foot{a.x + along * ux, a.y + along * uy};
+      Rational squared = squared_distance(foot, ends[i].at);
+      if (nearest_sqrt(squared) > in.within(ends[i].bound + in.rounding[s])) continue;
+      nearest_foot.offer(i, std::move(squared), foot);
     }
-  });
-  for (auto& [i, foot] : nearest_foot) ends_[i].place = std::move(foot.second);
+  }
+  return nearest_foot.settle(ends);
 }
 
-/// An arc stays one: its two ends do not become one point.
-void JointFinder::add_ends() {
-  for (std::size_t i = 0; i + 1 < ends_.size(); i += 2) {
-    End &first = ends_[i], &last = ends_[i + 1];
-    const auto at = [](const End& end) { return end.place ? *end.place : end.at; };
-    if (at(first) == at(last)) first.place = last.place = std::nullopt;
-    for (End* end : {&first, &last}) {
-      if (!end->place || *end->place == end->at) continue;
-      const Curve& curve = placed_.curves[end->curve];
+/// The ends that move. An arc stays one: its two ends do not become one point.
+PointsOnCurves moved_ends(std::vector<End>& ends, const CurvesInPlace& in) {
+  PointsOnCurves moved;
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+    End &first = ends[i], &last = ends[i + 1];
+    if (first.settled() == last.settled()) first.place = last.place = std::nullopt;
+    for (const End* end : {&first, &last}) {
+      if (end->settled() == end->at) continue;
+      const Curve& curve = in.curves[end->curve];
       const std::size_t chord = end->is_last ? curve.first + curve.count - 1 : curve.first;
-      result_.joints.push_back(
-          {chord, end->is_last ? Joint::At::End : Joint::At::Start, *end->place});
-      ++joined_ends_;
-      farthest_end_ = std::max(farthest_end_, distance_of(end->at, *end->place));
+      const Joint::At at = end->is_last ? Joint::At::End : Joint::At::Start;
+      moved.joints.push_back({chord, at, end->settled()});
+      ++moved.count;
+      moved.farthest = std::max(moved.farthest, distance_of(end->at, end->settled()));
     }
   }
-}
-
-/// A point within the bound of a curve becomes a vertex of it; or takes the place of one of its
-/// own that is as near.
-void JointFinder::add_point_on(const Authored& p, const Curve& curve, std::size_t chord) {
-  const UnitFrame frame(*curve.ellipse);
-  const Point q = frame.in(p.at);
-  const Rational excess = q.x * q.x + q.y * q.y - 1;  // about twice what q is off by
-  const auto length = [](const Point& u) {
-    return std::hypot(nearest_double(u.x), nearest_double(u.y));
-  };
-  const double longer = std::hypot(length(curve.ellipse->u), length(curve.ellipse->v));
-  const double off = std::abs(nearest_double(excess)) / 2 * longer;
-  if (off > within(curve.bound + p.rounding)) return;
-  const Point a = end_of(chord, false), b = end_of(chord, true);
-  if (p.at == a || p.at == b) return;
-  const Point qa = frame.in(a), qb = frame.in(b);
-  const auto cross = [](const Point& s, const Point& t) {
-    return sgn(Rational(s.x * t.y - s.y * t.x));
-  };
-  const int turn = cross(qa, qb);
-  if (turn == 0 || cross(qa, q) != turn || cross(q, qb) != turn) return;
-  result_.joints.push_back({chord, Joint::At::Inside, p.at});
-  ++joined_points_;
-  farthest_point_ = std::max(farthest_point_, off);
-}
-
-void JointFinder::add_points_on_curves() {
-  std::vector<Entry> entries;
-  std::vector<std::size_t> curve_of;  // per entry
-  double most = most_rounding_;
-  for (const Curve& curve : placed_.curves) most = std::max(most, curve.bound);
-  for (std::size_t c = 0; c < placed_.curves.size(); ++c) {
-    const Curve& curve = placed_.curves[c];
-    if (!curve.ellipse || !UnitFrame::is_proper(*curve.ellipse)) continue;
-    const double reach = curve.chord_bound + within(curve.bound + most) + slack_;
-    for (std::size_t i = 0; i < curve.count; ++i) {
-      const PointD a = rough(curve.first + i, false), b = rough(curve.first + i, true);
-      const Rectangle box{{std::min(a.x, b.x) - reach, std::min(a.y, b.y) - reach},
-                          {std::max(a.x, b.x) + reach, std::max(a.y, b.y) + reach}};
-      entries.emplace_back(box, curve.first + i);
-      curve_of.push_back(c);
-    }
-  }
-  if (entries.empty()) return;
-  std::map<std::size_t, std::size_t> curve_of_chord;
-  for (std::size_t i = 0; i < entries.size(); ++i) curve_of_chord[entries[i].second] = curve_of[i];
-  const BoxTree tree(entries);
-  const auto add_near = [&](const Authored& p, std::size_t own_curve) {
-    const PointD at = nearest(p.at);
-    for (auto it = tree.qbegin(bg::index::intersects(Corner(at.x, at.y))); it != tree.qend();
-         ++it) {
-      const std::size_t c = curve_of_chord[it->second];
-      if (c != own_curve) add_point_on(p, placed_.curves[c], it->second);
-    }
-  };
-  for (const Authored& p : authored_points()) add_near(p, placed_.curves.size());
-  for (const End& end : ends_) add_near({end.place ? *end.place : end.at, end.bound}, end.curve);
+  return moved;
 }
 
 /// By chord, along it, each place once.
-void JointFinder::sort() {
+void sort(std::vector<Joint>& joints, const CurvesInPlace& in) {
   const auto along = [&](const Joint& j) {
-    const Point a = end_of(j.chord, false), b = end_of(j.chord, true);
+    const Point a = in.end_of(j.chord, false), b = in.end_of(j.chord, true);
     return Rational((b.x - a.x) * j.place.x + (b.y - a.y) * j.place.y);
   };
-  std::sort(result_.joints.begin(), result_.joints.end(), [&](const Joint& i, const Joint& j) {
+  std::sort(joints.begin(), joints.end(), [&](const Joint& i, const Joint& j) {
     if (i.chord != j.chord) return i.chord < j.chord;
     if (i.at != j.at) return i.at < j.at;
-    const int order = cmp(along(i), along(j));
-    return order != 0 ? order < 0 : i.place < j.place;
+    if (i.at == Joint::At::Inside) {
+      if (const int order = cmp(along(i), along(j)); order != 0) return order < 0;
+    }
+    return i.place < j.place;
   });
-  const auto last = std::unique(result_.joints.begin(), result_.joints.end());
-  result_.joints.erase(last, result_.joints.end());
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
 }
 
-void JointFinder::tell() {
-  if (result_.joints.empty()) return;
-  const auto add = [&](std::size_t count, const char* what, double farthest) {
-    if (count == 0) return;
-    constexpr double kRoundedUp = 1.06;
-    result_.ledger.push_back({{},
-                              fmt::format("{} of {}", what, count),
-                              fmt::format("{:.2g} units", kRoundedUp * farthest)});
-  };
-  add(joined_ends_, "ends of curves moved to what they meet, in number", farthest_end_);
-  add(joined_points_, "ends", farthest_point_);
+/// The joints of one kind, and what the ledger says of them, at the place of the first.
+void append(Joints& result, PointsOnCurves more, const char* what, const SegmentSet& set) {
+  if (more.count == 0) return;
+  constexpr double kRoundedUp = 1.06;  // of two digits
+  const std::size_t first =
+      std::min_element(more.joints.begin(), more.joints.end(), [](const Joint& a, const Joint& b) {
+        return a.chord < b.chord;
+      })->chord;
+  result.ledger.push_back({set.sources[set.segment_source[first]],
+                           fmt::format("{} {}", more.count, what),
+                           fmt::format("{:.2g} units", kRoundedUp * more.farthest)});
+  result.joints.insert(result.joints.end(), more.joints.begin(), more.joints.end());
 }
 
 }  // namespace
 
 Joints find_joints(const PlacedCurves& placed) {
-  if (placed.curves.empty()) return {};
-  return JointFinder(placed).run();
+  Joints result;
+  if (placed.curves.empty()) return result;
+  const CurvesInPlace in(placed);
+  std::vector<Authored> points = authored_points(in);
+  std::vector<End> ends = uncertain_ends(in);
+  std::vector<std::size_t> tied = take_authored_ends(ends, in, points);
+  take_ends_of_curves(ends, in);
+  const std::vector<std::size_t> tied_on_lines = take_lines(ends, in);
+  tied.insert(tied.end(), tied_on_lines.begin(), tied_on_lines.end());
+  for (const std::size_t i : tied) {
+    if (ends[i].place) continue;
+    const std::size_t chord = in.curves[ends[i].curve].first;
+    result.refused.push_back(make_rejected(placed.set.sources[placed.set.segment_source[chord]],
+                                           "two places are equally near the end of a curve, "
+                                           "which meets neither",
+                                           to_text(ends[i].at)));
+  }
+  append(result, moved_ends(ends, in), "ends of curves by what they meet", placed.set);
+  for (const End& end : ends) points.push_back({end.settled(), end.bound, end.curve});
+  const ChordTree chords(in);
+  append(result, points_on_curves(in, chords, points), "points of curves by ends that lie on them",
+         placed.set);
+  sort(result.joints, in);
+  append(result, crossings_of_curves(in, chords, result.joints),
+         "crossings of curves by points of what crosses them", placed.set);
+  sort(result.joints, in);
+  return result;
 }
 
 SegmentSet with_joints(SegmentSet set, const Joints& joints) {
+  if (joints.joints.empty() && joints.refused.empty()) return set;
   SegmentList segments;
   std::vector<SourceId> sources;
   segments.reserve(set.segments.size() + joints.joints.size());
+  sources.reserve(set.segments.size() + joints.joints.size());
   auto joint = joints.joints.begin();
-  const auto number_point = [](const Point& p) { return NumberPoint{p.x, p.y}; };
   for (std::size_t s = 0; s < set.segments.size(); ++s) {
     const auto n = set.segments.numbers(s);
-    NumberPoint a{n[0], n[1]}, b{n[2], n[3]};
-    std::vector<NumberPoint> inside;
+    NumberPoint from{n[0], n[1]}, to{n[2], n[3]};
+    std::vector<NumberPoint> further;
     for (; joint != joints.joints.end() && joint->chord == s; ++joint) {
-      if (joint->at == Joint::At::Start) a = number_point(joint->place);
-      if (joint->at == Joint::At::Inside) inside.push_back(number_point(joint->place));
-      if (joint->at == Joint::At::End) b = number_point(joint->place);
+      NumberPoint place{joint->place.x, joint->place.y};
+      if (joint->at == Joint::At::Start)
+        from = std::move(place);
+      else if (joint->at == Joint::At::End)
+        to = std::move(place);
+      else
+        further.push_back(std::move(place));
     }
-    inside.push_back(b);
-    for (NumberPoint& next : inside) {
-      if (next == a) continue;
-      segments.push_back(a, next);
+    further.push_back(std::move(to));
+    for (NumberPoint& next : further) {
+      if (next == from) continue;
+      segments.push_back(std::move(from), next);
       sources.push_back(set.segment_source[s]);
-      a = std::move(next);
+      from = std::move(next);
     }
   }
   set.segments = std::move(segments);

@@ -1,0 +1,116 @@
+#include "structure/placed_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "structure/unit_frame.hpp"
+
+namespace plumbline {
+namespace {
+
+/// Of the largest coordinate.
+constexpr double kSlack = 0x1p-48;
+
+double length(const Point& u) { return std::hypot(nearest_double(u.x), nearest_double(u.y)); }
+
+/// No point of the ellipse is further from its centre.
+double reach_of(const Ellipse& e) { return std::hypot(length(e.u), length(e.v)); }
+
+int turn(const Point& s, const Point& t) { return sgn(Rational(s.x * t.y - s.y * t.x)); }
+
+}  // namespace
+
+CurvesInPlace::CurvesInPlace(const PlacedCurves& placed)
+    : segments(placed.set.segments), curves(placed.curves), rounding(placed.rounding) {
+  is_chord.resize(segments.size());
+  for (const Curve& curve : curves) {
+    for (std::size_t i = 0; i < curve.count; ++i) is_chord[curve.first + i] = true;
+  }
+  BoxD box{};
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto [a, b] = rough(i);
+    if (i == 0) box = {a, a};
+    box.include(a);
+    box.include(b);
+  }
+  extent = box.longer_side();
+  double of_curves = 0;
+  for (const Curve& c : curves) of_curves = std::max({of_curves, c.bound, c.end_bound});
+  most = of_curves;
+  if (!rounding.empty()) most += *std::max_element(rounding.begin(), rounding.end());
+  slack = kSlack * std::max({-box.low.x, -box.low.y, box.high.x, box.high.y});
+}
+
+PointD CurvesInPlace::rough(std::size_t segment, bool is_b) const {
+  const auto n = segments.numbers(segment);
+  return is_b ? PointD{nearest_double(n[2]), nearest_double(n[3])}
+              : PointD{nearest_double(n[0]), nearest_double(n[1])};
+}
+
+Point CurvesInPlace::end_of(std::size_t segment, bool is_b) const {
+  const auto n = segments.numbers(segment);
+  return is_b ? Point{n[2].rational(), n[3].rational()} : Point{n[0].rational(), n[1].rational()};
+}
+
+double CurvesInPlace::within(double bound) const { return std::min(bound, kMostJoined * extent); }
+
+std::vector<Authored> authored_points(const CurvesInPlace& in) {
+  std::vector<Authored> points;
+  for (std::size_t s = 0; s < in.segments.size(); ++s) {
+    if (in.is_chord[s]) continue;
+    for (const bool is_b : {false, true}) points.push_back({in.end_of(s, is_b), in.rounding[s]});
+  }
+  for (std::size_t c = 0; c < in.curves.size(); ++c) {
+    const Curve& curve = in.curves[c];
+    if (curve.end_bound > 0 || in.is_closed(curve)) continue;
+    points.push_back({in.first_point(curve), curve.bound, c});
+    points.push_back({in.last_point(curve), curve.bound, c});
+  }
+  return points;
+}
+
+ChordTree::ChordTree(const CurvesInPlace& in) {
+  const double most = in.within(in.most) + in.slack;
+  for (std::size_t c = 0; c < in.curves.size(); ++c) {
+    const Curve& curve = in.curves[c];
+    if (!curve.ellipse || !UnitFrame::is_proper(*curve.ellipse)) continue;
+    for (std::size_t i = 0; i < curve.count; ++i) {
+      const auto [a, b] = in.rough(curve.first + i);
+      BoxD box{a, a};
+      box.include(b);
+      chords_.push_back({curve.first + i, c});
+      boxes_.push_back(grown(box, curve.chord_bound + most));
+    }
+  }
+  tree_ = std::make_unique<BoxTree>(boxes_);
+}
+
+PointsOnCurves points_on_curves(const CurvesInPlace& in, const ChordTree& chords,
+                                const std::vector<Authored>& points) {
+  PointsOnCurves result;
+  const auto add = [&](const Authored& p, const ChordTree::Chord& chord) {
+    const Curve& curve = in.curves[chord.curve];
+    const UnitFrame frame(*curve.ellipse);
+    const Point q = frame.in(p.at);
+    // |q|^2 - 1 is about twice what q is off by.
+    const double excess = nearest_double(Rational(q.x * q.x + q.y * q.y - 1));
+    const double off = std::abs(excess) / 2 * reach_of(*curve.ellipse);
+    if (off > in.within(curve.bound + p.rounding)) return;
+    const Point a = in.end_of(chord.segment, false), b = in.end_of(chord.segment, true);
+    if (p.at == a || p.at == b) return;
+    const Point from = frame.in(a), to = frame.in(b);
+    const int way = turn(from, to);
+    if (way == 0 || turn(from, q) != way || turn(q, to) != way) return;
+    result.joints.push_back({chord.segment, Joint::At::Inside, p.at});
+    ++result.count;
+    result.farthest = std::max(result.farthest, off);
+  };
+  for (const Authored& p : points) {
+    for (const std::size_t i : chords.tree().at(nearest(p.at))) {
+      if (chords.chords()[i].curve != p.curve) add(p, chords.chords()[i]);
+    }
+  }
+  return result;
+}
+
+}  // namespace plumbline
