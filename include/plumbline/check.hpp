@@ -56,7 +56,7 @@ struct CheckOptions {
   /// side of the drawing's box, but at least 2^-46 times its largest coordinate.
   std::optional<double> tolerance;
   /// Gives the drawing with every number of the file rounded to the nearest double, its maps
-  /// applied exactly (`evaluate(rounded(structure))`): tells what parsing did from what
+  /// applied exactly (`evaluate_rounded`): tells what parsing did from what
   /// transforming did. Called where the answers differ; without it, all is parsing.
   std::function<SegmentSet()> parsed;
   std::size_t threads = 0;  ///< 0: as many as there are cores; does not change the result

@@ -23,6 +23,9 @@ struct ReadOptions {
   double angle_bound = kAngleBound;
   /// Whether elements that the drawing hides are `rejected`; else they are drawn.
   bool visible_only = false;
+  /// Whether curves of the drawing may be joined to what they meet, as `evaluate` does it; else
+  /// they stay where the file's numbers have them.
+  bool join_curves = true;
   /// Largest number of segments that formats without hierarchy may have, and of the chords of all
   /// curves; beyond it reading ends with Error Limit. What they become where shared Structs are
   /// repeated is limited by `evaluate`.

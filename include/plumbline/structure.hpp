@@ -96,15 +96,14 @@ inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(
 struct EvaluateOptions {
   std::size_t max_words = kMaxEvaluatedWords;
   std::size_t max_segments = kAnyNumber;
-  /// Whether curves meet what meets them in the drawing: an end of a curve that is known within a
-  /// bound takes the place of an authored end, of another curve's end or on a line within it; and a
-  /// curve gets a vertex where an end lies on it. Never beyond the bound, nor 1e-9 of the extent;
-  /// in the ledger.
-  bool join_curves = true;
 };
 
 /// The segments of all models of a structure in the plane, in traversal order, each model with a
 /// Source of its own whose path is that of the Traversal. A LarModel gives its `edges`. **Exact**.
+/// Curves (Model::curves) meet what meets them in the drawing: an end that is known within a bound
+/// takes the place of an authored end, of another curve's end or on a line within it; and a curve
+/// gets a vertex where an end lies on it, and where lines or curves cross or touch it. Never
+/// beyond the bounds, nor 1e-9 of the extent; in the ledger.
 /// Zero-length segments and cells that can't be drawn go to `rejected`. Throws: as Traversal; Error
 /// BadInput for a structure of another dimension than 2; Limit beyond the options, which is told
 /// before the result has grown that far.

@@ -20,6 +20,7 @@ std::string reading_options(const ReadOptions& reading) {
   if (reading.angle_bound != ReadOptions().angle_bound) {
     options += " --angle " + shortest_text(reading.angle_bound);
   }
+  if (!reading.join_curves) options += " --keep-curves";
   if (reading.visible_only) options += " --visible";
   return options;
 }

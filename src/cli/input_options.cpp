@@ -92,6 +92,10 @@ void add_input(CLI::App& command, InputArguments& arguments, const char* file) {
                   "Rotations become rational ones, their angles within this [default: 1e-15]")
       ->check(finite() & CLI::PositiveNumber)
       ->type_name("RADIANS");
+  command.add_flag(
+      "!--keep-curves", arguments.reading.join_curves,
+      "Leave curves where the file's numbers have them; else they meet what lies within "
+      "the rounding of these, as the ledger lists");
   command.add_flag("--visible", arguments.reading.visible_only,
                    "Leave out, and list, what the drawing hides; else it is drawn");
   command

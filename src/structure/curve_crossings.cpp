@@ -14,6 +14,8 @@ namespace {
 
 /// So near an end of its chord, as a part of it, that a crossing is taken for that vertex.
 constexpr double kAtVertex = 1e-9;
+/// Curves that meet at a smaller angle run along each other: doubles do not tell where they cross.
+constexpr double kLeastAngle = 1e-5;
 
 double cross(const PointD& p, const PointD& q) { return p.x * q.y - p.y * q.x; }
 double dot(const PointD& p, const PointD& q) { return p.x * q.x + p.y * q.y; }
@@ -211,7 +213,8 @@ std::vector<PointD> Crossings::meetings_of_circles(std::size_t i, std::size_t j,
   if (std::abs(apart + r - s) <= bound) return {at(-r, 0)};
   const double along = (apart + (r - s) * (r + s) / apart) / 2;
   const double beside = (r - along) * (r + along);
-  if (beside <= 0) return {};
+  // Their angle has the sine apart sqrt(beside) / (r s).
+  if (!(beside > 0) || apart * std::sqrt(beside) < kLeastAngle * r * s) return {};
   return {at(along, std::sqrt(beside)), at(along, -std::sqrt(beside))};
 }
 
@@ -238,7 +241,6 @@ std::vector<PointD> Crossings::meetings_of_ellipses(std::size_t i, std::size_t j
 /// the same: this rule can't tell where.
 std::optional<PointD> Crossings::meeting(std::size_t i, std::size_t j, double s, double t) const {
   constexpr int kSteps = 20;
-  constexpr double kLeastAngle = 1e-5;
   const RoughEllipse &e = ellipse_of(i), &f = ellipse_of(j);
   for (int step = 0; step < kSteps; ++step) {
     const PointD p = e.at(s), q = f.at(t);

@@ -208,7 +208,6 @@ class Evaluation {
 SegmentSet evaluate(const Structure& structure, const EvaluateOptions& options) {
   Evaluation evaluation(structure, options);
   evaluation.run();
-  if (!options.join_curves) return std::move(evaluation).segments();
   const Joints joints = find_joints(evaluation.curves());
   return with_joints(std::move(evaluation).segments(), joints);
 }
@@ -217,10 +216,8 @@ SegmentSet evaluate_rounded(const Structure& structure, const EvaluateOptions& o
   Evaluation evaluation(structure, options);
   evaluation.run();
   const PlacedCurves curves = evaluation.curves();
-  SegmentSet result =
-      evaluate(rounded(structure), {options.max_words, options.max_segments, false});
-  const bool is_alike = result.segments.size() == curves.set.segments.size();
-  if (!options.join_curves || !is_alike) return result;
+  SegmentSet result = evaluate(rounded(structure), options);
+  if (result.segments.size() != curves.set.segments.size()) return result;
   return with_joints(std::move(result), find_joints(curves));
 }
 

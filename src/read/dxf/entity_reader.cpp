@@ -152,6 +152,7 @@ void EntityReader::add_drawn(DrawnEntity drawn, const Source& source, std::size_
   }
   if (has_height) in.tally.leave_out(at(), kHeightLeftOut);
   if (drawn.segments.empty()) return;
+  if (!pen_.join_curves) drawn.curves.clear();
   in.add(layer, Model{source, std::move(drawn.segments), {}, {}, std::move(drawn.curves)});
 }
 

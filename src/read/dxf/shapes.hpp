@@ -11,10 +11,14 @@ class Pen {
  public:
   /// Throws: Error BadInput for a negative tolerance.
   explicit Pen(const ReadOptions& options)
-      : angle_bound(options.angle_bound), visible_only(options.visible_only), flattener_(options) {}
+      : angle_bound(options.angle_bound),
+        visible_only(options.visible_only),
+        join_curves(options.join_curves),
+        flattener_(options) {}
 
   const double angle_bound;
   const bool visible_only;
+  const bool join_curves;
 
   /// The chords of a curve. Throws: Unusable, Error Limit as the Flattener; Limit also where the
   /// numbers of all curves take more than kMaxEvaluatedWords.

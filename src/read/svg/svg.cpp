@@ -254,6 +254,7 @@ class SvgReader {
     }
     if (transform && !pieces.segments.empty()) record(element, transform->replaced);
     record(element, pieces.replaced);
+    if (!options_.join_curves) pieces.curves.clear();
     Model model{source_of(element), std::move(pieces.segments), {}, {}, std::move(pieces.curves)};
     if (!transform && !is_referenced) {
       if (!model.segments.empty()) {
