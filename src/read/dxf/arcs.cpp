@@ -100,8 +100,8 @@ DrawnEntity draw_arc(const Entity& entity, Pen& pen) {
   Placed circle = circle_of(entity);
   const Rational from = entity.number(50).rational();
   const Rational to = entity.number(51).rational();
-  circle.angle_bound =
-      std::max(half_unit(entity.number(50)), half_unit(entity.number(51))) * kRadiansPerDegree;
+  circle.angle_bound = kRadiansPerDegree * std::max(text_rounding(entity.number(50), {}),
+                                                    text_rounding(entity.number(51), {}));
   const Plane plane = plane_of(entity);
   if (from == to) throw Unusable{"arc of no angle", "group 51: " + in_ascii(entity.text(51))};
   if (within_turn(to - from) == 0) return whole(circle, plane, "arc", pen);
@@ -124,7 +124,7 @@ DrawnEntity draw_ellipse(const Entity& entity, Pen& pen) {
       text_rounding(entity.point(kCentre)) + text_rounding(entity.point(11)) +
           half_unit(entity.number(kRadius)) * std::hypot(nearest_double(u.x), nearest_double(u.y)),
       entity.has(41) && entity.has(42)
-          ? std::max(half_unit(entity.number(41)), half_unit(entity.number(42)))
+          ? std::max(text_rounding(entity.number(41), {}), text_rounding(entity.number(42), {}))
           : 0};
   if (!entity.has(41) && !entity.has(42)) return whole(ellipse, Plane::Front, "ellipse", pen);
   const Rational from = degrees_of(entity.number(41).rational());
