@@ -8,13 +8,15 @@
 
 namespace plumbline {
 
-/// How far a point may lie from the one that its text was rounded from: 0 where both numbers are
-/// short. A long one was computed in doubles, which is no sharper than the larger coordinate's.
+/// How far a point may lie from the one that its text stands for: 0 where both numbers are short.
+/// A long one was computed in doubles, by a few operations on numbers as large as the larger
+/// coordinate: it is no sharper than two units in the last place of that.
 inline double text_rounding(const Number& x, const Number& y) {
   if (!is_long(x) && !is_long(y)) return 0;
-  constexpr double kHalfUlp = 0x1p-53;
-  const double largest = std::max(std::abs(nearest_double(x)), std::abs(nearest_double(y)));
-  return std::max({half_unit(x), half_unit(y), kHalfUlp * largest});
+  constexpr double kTwoUnits = 0x1p-51;
+  const double computed =
+      kTwoUnits * std::max(std::abs(nearest_double(x)), std::abs(nearest_double(y)));
+  return std::hypot(std::max(half_unit(x), computed), std::max(half_unit(y), computed));
 }
 inline double text_rounding(const NumberPoint& p) { return text_rounding(p.x, p.y); }
 

@@ -201,7 +201,7 @@ std::vector<PointD> Crossings::meetings_of_circles(std::size_t i, std::size_t j,
   const double apart = std::hypot(between.x, between.y);
   const auto bound_of = [&](std::size_t k) {
     const Curve& curve = in_.curves[curve_of(k)];
-    return std::max(curve.bound, curve.end_bound);
+    return std::max({curve.bound, curve.end_bounds[0], curve.end_bounds[1]});
   };
   const double bound = in_.within(bound_of(i) + bound_of(j)) + in_.slack;
   if (apart <= bound) return {};
@@ -281,16 +281,16 @@ void Crossings::cross_by_curve(std::size_t i, std::size_t j) {
 void Crossings::add(std::size_t i, Part part, const Point& place) {
   const auto& [segment, c] = tree_.chords()[i];
   const Curve& curve = in_.curves[c];
-  const std::size_t last = curve.first + curve.count - 1;
   if (part != Part::Inside && vertex(i, part) == place) return;
   if (part == Part::Inside) {
     result_.joints.push_back({segment, Joint::At::Inside, place});
   } else {
     const bool is_start = part == Part::AtStart;
-    if (segment == (is_start ? curve.first : last)) return;
-    const std::size_t before = is_start ? segment - 1 : segment;
-    result_.joints.push_back({before, Joint::At::End, place});
-    result_.joints.push_back({before + 1, Joint::At::Start, place});
+    const auto other =
+        is_start ? in_.chord_before(curve, segment) : in_.chord_after(curve, segment);
+    if (!other) return;
+    result_.joints.push_back({is_start ? *other : segment, Joint::At::End, place});
+    result_.joints.push_back({is_start ? segment : *other, Joint::At::Start, place});
   }
   places_[segment].push_back(place);
   ++result_.count;

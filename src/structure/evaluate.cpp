@@ -137,7 +137,8 @@ class Evaluation {
         curve.ellipse = Ellipse{apply(map, curve.ellipse->centre), turned(curve.ellipse->u),
                                 turned(curve.ellipse->v)};
       }
-      for (double* bound : {&curve.chord_bound, &curve.end_bound, &curve.bound}) {
+      for (double* bound :
+           {&curve.chord_bound, &curve.end_bounds[0], &curve.end_bounds[1], &curve.bound}) {
         *bound *= stretch(map);
       }
       curves_.push_back(std::move(curve));

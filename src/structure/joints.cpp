@@ -17,7 +17,7 @@
 namespace plumbline {
 namespace {
 
-/// An end of a curve that is known within a bound, and where it is to be.
+/// An end of a curve, known within a bound, and where it is to be.
 struct End {
   std::size_t curve;
   bool is_last;
@@ -30,14 +30,18 @@ struct End {
 
 double distance_of(const Point& p, const Point& q) { return nearest_sqrt(squared_distance(p, q)); }
 
-/// Both ends of each curve that is open and not given by its ends, one after the other.
-std::vector<End> uncertain_ends(const CurvesInPlace& in) {
+/// Both ends of each open curve, one after the other. Those that are known exactly have their
+/// place.
+std::vector<End> ends_of_curves(const CurvesInPlace& in) {
   std::vector<End> ends;
   for (std::size_t c = 0; c < in.curves.size(); ++c) {
     const Curve& curve = in.curves[c];
-    if (curve.end_bound <= 0 || in.is_closed(curve)) continue;
-    ends.push_back({c, false, in.first_point(curve), curve.end_bound});
-    ends.push_back({c, true, in.last_point(curve), curve.end_bound});
+    if (in.is_closed(curve)) continue;
+    ends.push_back({c, false, in.first_point(curve), curve.end_bounds[0]});
+    ends.push_back({c, true, in.last_point(curve), curve.end_bounds[1]});
+  }
+  for (End& end : ends) {
+    if (end.bound == 0) end.place = end.at;
   }
   return ends;
 }
@@ -174,7 +178,10 @@ PointsOnCurves moved_ends(std::vector<End>& ends, const CurvesInPlace& in) {
   PointsOnCurves moved;
   for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
     End &first = ends[i], &last = ends[i + 1];
-    if (first.settled() == last.settled()) first.place = last.place = std::nullopt;
+    if (first.settled() == last.settled()) {
+      first.place = first.at;
+      last.place = last.at;
+    }
     for (const End* end : {&first, &last}) {
       if (end->settled() == end->at) continue;
       const Curve& curve = in.curves[end->curve];
@@ -226,7 +233,7 @@ Joints find_joints(const PlacedCurves& placed) {
   if (placed.curves.empty()) return result;
   const CurvesInPlace in(placed);
   std::vector<Authored> points = authored_points(in);
-  std::vector<End> ends = uncertain_ends(in);
+  std::vector<End> ends = ends_of_curves(in);
   std::vector<std::size_t> tied = take_authored_ends(ends, in, points);
   take_ends_of_curves(ends, in);
   const std::vector<std::size_t> tied_on_lines = take_lines(ends, in);

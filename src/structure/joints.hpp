@@ -34,7 +34,7 @@ struct Joints {
 
 /// Curves are not known better than their bounds say: an end takes the place of an authored end
 /// within its bound, else that of another curve's end, else the nearest place on a line; a curve
-/// gets a vertex where an end lies on it within its bound. Bounds are `Curve::end_bound` or
+/// gets a vertex where an end lies on it within its bound. Bounds are `Curve::end_bounds` or
 /// `Curve::bound` plus the rounding of the text of what it meets, at most kMostJoined of the
 /// extent. **Exact**: nothing moves further than its bound. Of several ends the nearest; where
 /// different ones are equally near the curve stays as it is, and is listed. Independent of the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "structure/unit_frame.hpp"
 
@@ -35,7 +36,8 @@ CurvesInPlace::CurvesInPlace(const PlacedCurves& placed)
   }
   extent = box.longer_side();
   double of_curves = 0;
-  for (const Curve& c : curves) of_curves = std::max({of_curves, c.bound, c.end_bound});
+  for (const Curve& c : curves)
+    of_curves = std::max({of_curves, c.bound, c.end_bounds[0], c.end_bounds[1]});
   most = of_curves;
   if (!rounding.empty()) most += *std::max_element(rounding.begin(), rounding.end());
   slack = kSlack * std::max({-box.low.x, -box.low.y, box.high.x, box.high.y});
@@ -52,6 +54,19 @@ Point CurvesInPlace::end_of(std::size_t segment, bool is_b) const {
   return is_b ? Point{n[2].rational(), n[3].rational()} : Point{n[0].rational(), n[1].rational()};
 }
 
+std::optional<std::size_t> CurvesInPlace::chord_before(const Curve& curve,
+                                                       std::size_t chord) const {
+  if (chord != curve.first) return chord - 1;
+  if (is_closed(curve)) return curve.first + curve.count - 1;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> CurvesInPlace::chord_after(const Curve& curve, std::size_t chord) const {
+  if (chord + 1 != curve.first + curve.count) return chord + 1;
+  if (is_closed(curve)) return curve.first;
+  return std::nullopt;
+}
+
 double CurvesInPlace::within(double bound) const { return std::min(bound, kMostJoined * extent); }
 
 std::vector<Authored> authored_points(const CurvesInPlace& in) {
@@ -62,9 +77,9 @@ std::vector<Authored> authored_points(const CurvesInPlace& in) {
   }
   for (std::size_t c = 0; c < in.curves.size(); ++c) {
     const Curve& curve = in.curves[c];
-    if (curve.end_bound > 0 || in.is_closed(curve)) continue;
-    points.push_back({in.first_point(curve), curve.bound, c});
-    points.push_back({in.last_point(curve), curve.bound, c});
+    if (in.is_closed(curve)) continue;
+    if (curve.end_bounds[0] == 0) points.push_back({in.first_point(curve), 0, c});
+    if (curve.end_bounds[1] == 0) points.push_back({in.last_point(curve), 0, c});
   }
   return points;
 }
@@ -98,9 +113,16 @@ PointsOnCurves points_on_curves(const CurvesInPlace& in, const ChordTree& chords
     if (off > in.within(curve.bound + p.rounding)) return;
     const Point a = in.end_of(chord.segment, false), b = in.end_of(chord.segment, true);
     if (p.at == a || p.at == b) return;
+    const double bound = in.within(curve.bound + p.rounding);
+    const std::optional<std::size_t> before = in.chord_before(curve, chord.segment);
+    if (before && nearest_sqrt(squared_distance(p.at, a)) <= bound) {
+      result.joints.push_back({*before, Joint::At::End, p.at});
+      result.joints.push_back({chord.segment, Joint::At::Start, p.at});
+    }
     const Point from = frame.in(a), to = frame.in(b);
-    const int way = turn(from, to);
-    if (way == 0 || turn(from, q) != way || turn(q, to) != way) return;
+    const int way = turn(from, to), past_from = turn(from, q);
+    const bool is_at_from = past_from == 0 && sgn(Rational(from.x * q.x + from.y * q.y)) > 0;
+    if (way == 0 || !(past_from == way || is_at_from) || turn(q, to) != way) return;
     result.joints.push_back({chord.segment, Joint::At::Inside, p.at});
     ++result.count;
     result.farthest = std::max(result.farthest, off);

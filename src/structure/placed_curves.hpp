@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/box_tree.hpp"
@@ -29,6 +30,10 @@ struct CurvesInPlace {
   Point first_point(const Curve& c) const { return end_of(c.first, false); }
   Point last_point(const Curve& c) const { return end_of(c.first + c.count - 1, true); }
   bool is_closed(const Curve& c) const { return first_point(c) == last_point(c); }
+  /// The chord that ends where this one of the curve starts, that starts where it ends; none at the
+  /// ends of an open curve.
+  std::optional<std::size_t> chord_before(const Curve& curve, std::size_t chord) const;
+  std::optional<std::size_t> chord_after(const Curve& curve, std::size_t chord) const;
   /// A bound on how far curves may be moved, cut to what they may at all.
   double within(double bound) const;
 };
@@ -70,7 +75,8 @@ struct PointsOnCurves {
   std::size_t count = 0;
   double farthest = 0;  ///< from the curve
 };
-/// The points that lie on curves within their bounds.
+/// The points that lie on curves within their bounds. Where the chords have a vertex as near, it
+/// moves there, too.
 PointsOnCurves points_on_curves(const CurvesInPlace& in, const ChordTree& chords,
                                 const std::vector<Authored>& points);
 /// Where lines and curves cross curves or touch them, within kCrossing of the extent; not where

@@ -74,8 +74,8 @@ double extent_of(const SegmentSet& set) {
 
 int drawings(int count, char** files) {
   fmt::print(
-      "| drawing | curves joined | loose ends | within 1e-9 of the extent | bounded faces | "
-      "the same without joining | | |\n"
+      "| drawing | joined | loose ends | near | bounded faces | loose ends | near | bounded faces "
+      "with `--keep-curves` |\n"
       "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n");
   for (int i = 0; i < count; ++i) {
     ReadOptions options;

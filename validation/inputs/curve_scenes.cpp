@@ -23,7 +23,8 @@ struct Piece {
 };
 
 PointD on_circle(const PointD& c, double r, double degrees) {
-  return {c.x + r * std::cos(degrees * kHalfTurn / 180), c.y + r * std::sin(degrees * kHalfTurn / 180)};
+  return {c.x + r * std::cos(degrees * kHalfTurn / 180),
+          c.y + r * std::sin(degrees * kHalfTurn / 180)};
 }
 
 class Sketch {
@@ -108,7 +109,7 @@ std::size_t column(Sketch& s) {
 /// A door leaf and its swing, which ends on the wall opposite.
 std::size_t door(Sketch& s) {
   const double r = s.between(0.6, 1.2), w = s.between(2, 5);
-  s.line({-w, 0}, {r + w, 0});
+  s.polyline({{-w, 0}, {0, 0}, {r + w, 0}}, false);
   s.line({0, 0}, {0, r});
   s.arc({0, 0}, r, 0, 90);
   s.polyline({{-w, 0}, {-w, -w}, {r + w, -w}, {r + w, 0}}, false);

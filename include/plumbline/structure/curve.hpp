@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -20,9 +21,9 @@ struct Curve {
   std::uint32_t first = 0, count = 0;  ///< its chords among the segments of the Model
   std::optional<Ellipse> ellipse;      ///< what it is a part of; none for a Bezier curve
   double chord_bound = 0;  ///< between the curve and its chords nothing is further apart
-  /// How far its ends may lie from where the file has them: by the rounding of the file's own long
-  /// numbers (`half_unit`), and by what stands for sines and cosines. Authored ends have 0.
-  double end_bound = 0;
+  /// How far its first and its last end may lie from where the file has them: by the rounding of
+  /// the file's own long numbers, and by what stands for sines and cosines. 0: exactly there.
+  std::array<double, 2> end_bounds = {};
   double bound = 0;  ///< the same of its other points
 
   friend bool operator==(const Curve&, const Curve&) = default;

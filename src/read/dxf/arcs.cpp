@@ -34,7 +34,7 @@ double longer_axis(const Ellipse& e) {
 DrawnEntity chain(Chords chords, const Placed& placed, double end_bound, Plane plane,
                   const char* name) {
   DrawnEntity drawn;
-  Curve curve{0, 0, placed.ellipse, chords.bound, end_bound, placed.bound};
+  Curve curve{0, 0, placed.ellipse, chords.bound, {end_bound, end_bound}, placed.bound};
   if (plane == Plane::Back) {
     mirror_x(chords.points);
     mirror_x(*curve.ellipse);

@@ -1,6 +1,7 @@
 #include "read/dxf/polyline.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <utility>
 
@@ -146,13 +147,15 @@ DrawnEntity draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plan
       Chords chords = pen.arc(arc);
       bound = std::max(bound, chords.bound);
       has_arc = true;
-      const double rounding = text_rounding(from.point) + text_rounding(to.point) +
-                              half_unit(from.bulge) * distance(nearest(a), nearest(b));
+      const std::array<double, 2> roundings{text_rounding(from.point), text_rounding(to.point)};
+      const double rounding =
+          roundings[0] + roundings[1] + half_unit(from.bulge) * distance(nearest(a), nearest(b));
       if (plane == Plane::Back) {
         mirror_x(chords.points);
         mirror_x(arc.ellipse);
       }
-      append_curve(drawn, chords.points, {0, 0, std::move(arc.ellipse), chords.bound, 0, rounding});
+      append_curve(drawn, chords.points,
+                   {0, 0, std::move(arc.ellipse), chords.bound, roundings, rounding});
       return;
     }
     if (plane == Plane::Back) mirror_x(points);

@@ -138,7 +138,8 @@ DrawnEntity draw_spline(const Entity& entity, Pen& pen) {
     bound = std::max(bound, chords.bound);
   }
   if (all.empty()) refuse("spline without extent: all its knots are equal");
-  append_curve(drawn, all, {0, 0, std::nullopt, bound, rounding_of_controls(entity), 0});
+  const double rounding = rounding_of_controls(entity);
+  append_curve(drawn, all, {0, 0, std::nullopt, bound, {rounding, rounding}, 0});
   drawn.replaced.push_back(by_chords("spline", bound));
   return drawn;
 }
