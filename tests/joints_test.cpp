@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "inputs/curve_scenes.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/read.hpp"
 #include "support/dxf_text.hpp"
@@ -187,5 +188,18 @@ TEST_CASE("ellipses cross where they do") {
   const double at = std::sqrt(100.0 / 29);
   for (const double x : {-at, at}) {
     for (const double y : {-at, at}) CHECK(has_vertex_near(crossing, x, y, 1e-10));
+  }
+}
+
+TEST_CASE("scenes that are drawn in doubles have the faces that were drawn") {
+  for (std::uint64_t number = 0; number < 500; ++number) {
+    const plumbline::inputs::CurveScene scene = plumbline::inputs::curve_scene(number);
+    INFO(number << ": " << scene.name);
+    const bool is_svg = scene.file == "scene.svg";
+    const ExactComplex drawn =
+        arrange(evaluate(is_svg ? plumbline::read_svg(scene.text, scene.file)
+                                : plumbline::read_dxf(scene.text, scene.file)));
+    CHECK(drawn.face_count() == scene.faces);
+    CHECK(antennas(drawn) == 0);
   }
 }

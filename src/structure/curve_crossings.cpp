@@ -132,9 +132,11 @@ class Crossings {
 Part Crossings::part_at(std::size_t i, const PointD& place) const {
   const RoughEllipse& ellipse = ellipse_of(i);
   const auto [a, b] = chord_of(i);
-  const double size = distance(a, b);
-  if (distance(place, a) <= kAtVertex * size) return Part::AtStart;
-  if (distance(place, b) <= kAtVertex * size) return Part::AtEnd;
+  const Curve& curve = in_.curves[curve_of(i)];
+  const double bound = curve.bound + std::max(curve.end_bounds[0], curve.end_bounds[1]);
+  const double reach = kAtVertex * distance(a, b) + kCrossing * in_.extent + in_.within(bound);
+  if (distance(place, a) <= reach) return Part::AtStart;
+  if (distance(place, b) <= reach) return Part::AtEnd;
   const PointD from = ellipse.in(a), to = ellipse.in(b), q = ellipse.in(place);
   const double way = cross(from, to);
   const bool is_inside = way != 0 && cross(from, q) * way > 0 && cross(q, to) * way > 0;

@@ -40,7 +40,14 @@ std::vector<End> ends_of_curves(const CurvesInPlace& in) {
     ends.push_back({c, false, in.first_point(curve), curve.end_bounds[0]});
     ends.push_back({c, true, in.last_point(curve), curve.end_bounds[1]});
   }
+  // Ends in one place are known alike, so that what is one point stays one.
+  std::map<Point, double> bound_at;
+  for (const End& end : ends) {
+    double& bound = bound_at[end.at];
+    bound = std::max(bound, end.bound);
+  }
   for (End& end : ends) {
+    end.bound = bound_at[end.at];
     if (end.bound == 0) end.place = end.at;
   }
   return ends;
@@ -271,12 +278,11 @@ SegmentSet with_joints(SegmentSet set, const Joints& joints) {
     std::vector<NumberPoint> further;
     for (; joint != joints.joints.end() && joint->chord == s; ++joint) {
       NumberPoint place{joint->place.x, joint->place.y};
-      if (joint->at == Joint::At::Start)
-        from = std::move(place);
-      else if (joint->at == Joint::At::End)
-        to = std::move(place);
-      else
+      if (joint->at == Joint::At::Inside) {
         further.push_back(std::move(place));
+      } else {
+        (joint->at == Joint::At::Start ? from : to) = std::move(place);
+      }
     }
     further.push_back(std::move(to));
     for (NumberPoint& next : further) {

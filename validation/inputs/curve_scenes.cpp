@@ -13,13 +13,15 @@ namespace {
 
 constexpr double kHalfTurn = 3.141592653589793;  // in radians
 
-/// A line from a to b, or the arc of a circle counter-clockwise from angle `from` to `to`, in
-/// degrees; the whole circle where these are equal.
+/// A line from a to b; or the arc of a circle counter-clockwise from angle `from` to `to`, in
+/// degrees, the whole circle where these are equal; or, with a ratio, that of the ellipse whose
+/// longer half axis has length `radius` and the direction `axis`.
 struct Piece {
   bool is_line;
   PointD a, b;  ///< of an arc its ends
   PointD centre = {};
   double radius = 0, from = 0, to = 0;
+  double ratio = 0, axis = 0;
 };
 
 PointD on_circle(const PointD& c, double r, double degrees) {
@@ -40,6 +42,13 @@ class Sketch {
   void line(const PointD& a, const PointD& b) { pieces.push_back({true, a, b}); }
   void arc(const PointD& c, double r, double from, double to) {
     pieces.push_back({false, on_circle(c, r, from), on_circle(c, r, to), c, r, from, to});
+  }
+  void elliptic_arc(const PointD& c, double r, double ratio, double from, double to) {
+    const auto at = [&](double t) {
+      return PointD{c.x + r * std::cos(t * kHalfTurn / 180),
+                    c.y + r * ratio * std::sin(t * kHalfTurn / 180)};
+    };
+    pieces.push_back({false, at(from), at(to), c, r, from, to, ratio, 0});
   }
   void circle(const PointD& c, double r) { arc(c, r, 0, 0); }
   void polyline(const std::vector<PointD>& points, bool is_closed) {
@@ -142,6 +151,14 @@ std::size_t crossing_circles(Sketch& s) {
   return 4;
 }
 
+std::size_t bay(Sketch& s) {
+  const double r = s.between(1, 50), from = s.between(0, 360), to = from + s.between(40, 300);
+  s.elliptic_arc({0, 0}, r, s.between(0.2, 0.9), from, to);
+  const Piece arc = s.pieces.back();
+  s.line(arc.a, arc.b);
+  return 2;
+}
+
 struct Drawing {
   const char* name;
   std::size_t (*draw)(Sketch&);
@@ -149,7 +166,8 @@ struct Drawing {
 constexpr Drawing kDrawings[] = {
     {"sector", sector}, {"ring", ring},         {"fillets", fillets},
     {"slot", slot},     {"column", column},     {"door", door},
-    {"lens", lens},     {"tangents", tangents}, {"crossing circles", crossing_circles}};
+    {"lens", lens},     {"tangents", tangents}, {"crossing circles", crossing_circles},
+    {"bay", bay}};
 
 /// Turned, scaled and moved, in doubles.
 struct Placing {
@@ -164,8 +182,17 @@ struct Placing {
     const auto turned = [&](double angle) {
       return std::fmod(std::fmod(angle + degrees, 360) + 360, 360);
     };
-    Piece result{p.is_line,        (*this)(p.a),   (*this)(p.b), (*this)(p.centre),
-                 scale * p.radius, turned(p.from), turned(p.to)};
+    Piece result = p;
+    result.a = (*this)(p.a);
+    result.b = (*this)(p.b);
+    result.centre = (*this)(p.centre);
+    result.radius = scale * p.radius;
+    if (p.ratio == 0) {
+      result.from = turned(p.from);
+      result.to = turned(p.to);
+    } else {
+      result.axis = turned(p.axis);
+    }
     return result;
   }
 };
@@ -200,6 +227,15 @@ class Writer {
     text += point(10, c) + pair(40, number(p.radius));
     return is_whole ? text : text + pair(50, number(from)) + pair(51, number(to));
   }
+  /// An ELLIPSE has coordinates of the drawing, whichever way it is seen.
+  std::string ellipse(const Piece& p, bool is_mirrored) const {
+    const double from = (is_mirrored ? -p.to : p.from) * kHalfTurn / 180;
+    const double to = (is_mirrored ? -p.from : p.to) * kHalfTurn / 180;
+    std::string text = "0\nELLIPSE\n8\n0\n";
+    if (is_mirrored) text += pair(210, "0") + pair(220, "0") + pair(230, "-1");
+    return text + point(10, p.centre) + point(11, on_circle({0, 0}, p.radius, p.axis)) +
+           pair(40, number(p.ratio)) + pair(41, number(from)) + pair(42, number(to));
+  }
   std::string bulge(const Piece& p) const {
     const double sweep = std::fmod(p.to - p.from + 360, 360);
     return "0\nLWPOLYLINE\n8\n0\n90\n2\n70\n0\n" + point(10, p.a) +
@@ -215,9 +251,10 @@ class Writer {
                          number(p.centre.y), number(p.radius));
     }
     const double sweep = std::fmod(p.to - p.from + 360, 360);
-    return fmt::format("<path d=\"M {} {} A {} {} 0 {} 1 {} {}\"/>\n", number(p.a.x), number(p.a.y),
-                       number(p.radius), number(p.radius), sweep > 180 ? 1 : 0, number(p.b.x),
-                       number(p.b.y));
+    const double other = p.ratio == 0 ? p.radius : p.ratio * p.radius;
+    return fmt::format("<path d=\"M {} {} A {} {} {} {} 1 {} {}\"/>\n", number(p.a.x),
+                       number(p.a.y), number(p.radius), number(other), number(p.axis),
+                       sweep > 180 ? 1 : 0, number(p.b.x), number(p.b.y));
   }
 
  private:
@@ -228,7 +265,10 @@ std::string entities(const std::vector<Piece>& pieces, const Writer& writer, int
   std::string text;
   for (const Piece& p : pieces) {
     const bool is_bulge = how == 2 && !p.is_line && p.from != p.to;
-    text += p.is_line ? writer.line(p) : is_bulge ? writer.bulge(p) : writer.arc(p, how == 1);
+    text += p.ratio != 0 ? writer.ellipse(p, how == 1)
+            : p.is_line  ? writer.line(p)
+            : is_bulge   ? writer.bulge(p)
+                         : writer.arc(p, how == 1);
   }
   return text;
 }

@@ -16,9 +16,9 @@ struct CurveScene {
 };
 
 /// The scene of this number, the same on every machine: sectors, rings, fillets, slots, columns
-/// with walls, doors, lenses, tangents, crossing circles; turned, scaled and moved; their numbers
-/// printed with 15 to 17 digits; as lines and ARCs, mirrored ARCs, bulges, in a turned block, or in
-/// SVG.
+/// with walls, doors, lenses, tangents, crossing circles, bays of an ellipse; turned, scaled and
+/// moved; their numbers printed with 15 to 17 digits; as lines and ARCs, mirrored ARCs, bulges, in
+/// a turned block, or in SVG.
 CurveScene curve_scene(std::uint64_t number);
 
 }  // namespace plumbline::inputs

@@ -147,9 +147,10 @@ DrawnEntity draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plan
       Chords chords = pen.arc(arc);
       bound = std::max(bound, chords.bound);
       has_arc = true;
-      const std::array<double, 2> roundings{text_rounding(from.point), text_rounding(to.point)};
+      const double at_a = text_rounding(from.point), at_b = text_rounding(to.point);
       const double rounding =
-          roundings[0] + roundings[1] + half_unit(from.bulge) * distance(nearest(a), nearest(b));
+          at_a + at_b + half_unit(from.bulge) * distance(nearest(a), nearest(b));
+      const std::array<double, 2> roundings{at_a > 0 ? rounding : 0, at_b > 0 ? rounding : 0};
       if (plane == Plane::Back) {
         mirror_x(chords.points);
         mirror_x(arc.ellipse);

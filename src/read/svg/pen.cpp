@@ -36,13 +36,13 @@ void SvgPen::arc_to(const SvgArc& arc, const std::string& what) {
 
 void SvgPen::draw(const EllipticArc& arc, const std::string& what, double bound) {
   const Chords chords = flattener_.arc(arc);
-  pieces_.curves.push_back(
-      {static_cast<std::uint32_t>(pieces_.segments.size()),
-       static_cast<std::uint32_t>(chords.points.size() - 1),
-       arc.ellipse,
-       chords.bound,
-       {text_rounding(chords.points.front()), text_rounding(chords.points.back())},
-       bound});
+  const auto end_bound = [&](const NumberPoint& p) { return text_rounding(p) > 0 ? bound : 0; };
+  pieces_.curves.push_back({static_cast<std::uint32_t>(pieces_.segments.size()),
+                            static_cast<std::uint32_t>(chords.points.size() - 1),
+                            arc.ellipse,
+                            chords.bound,
+                            {end_bound(chords.points.front()), end_bound(chords.points.back())},
+                            bound});
   draw(chords, what);
 }
 
