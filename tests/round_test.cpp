@@ -147,6 +147,20 @@ TEST_CASE("edges that run beside each other and would cross are led through comm
   CHECK_FALSE(r.rounding.has_same_incidences());
 }
 
+TEST_CASE("a loose piece is not carried past a line that has one face on both sides") {
+  // The piece is below the line; its ends, rounded alone, would be above it.
+  const Rounded r("0 0 10 3  3.4 1.01 6.4 1.91", {0});
+  CHECK(edges(r.rounding.complex) == "0 0, 3 1; 3 1, 6 2; 6 2, 10 3");
+  CHECK_FALSE(is_kept_by_simple_rounding(r.exact_complex, {0}));
+  // So would a loose point, and one end of an antenna of the same component.
+  CHECK(edges(Rounded("0 0 10 3  + 3.4 1.01", {0}).rounding.complex) == "0 0, 3 1; 3 1, 10 3");
+  CHECK(edges(Rounded("0 0 10 3  3 -5 3.4 1.01", {0}).rounding.complex) ==
+        "0 0, 3 1; 3 -5, 3 1; 3 1, 10 3");
+  // Above the line they stay above it.
+  CHECK(Rounded("0 0 10 3  3.4 1.1 6.4 2", {0}).rounding.has_same_incidences());
+  CHECK(Rounded("0 0 10 3  + 3.4 1.1", {0}).rounding.has_same_incidences());
+}
+
 TEST_CASE("an edge within a pixel vanishes, and a component becomes an isolated vertex") {
   const Rounded r(rectangle(0, 0, 9, 9) + "4 4 4.2 4.1  4.2 4.1 4.1 4.3  4.1 4.3 4 4", {0});
   CHECK(summary(r.rounding.complex) == "V 5 E 4 F 2 C 2 isolated 1");
@@ -258,6 +272,10 @@ TEST_CASE("a verification refuses a rounding that breaks a guarantee") {
         r.edge_image = images;
       },
       "gap");
+  // What simple rounding would do here.
+  const Rounding past = safely_rounded(arrange(segments("0 0 10 3  3 1 6 2")), grid);
+  CHECK_THROWS_WITH(ensure_rounded(arrange(segments("0 0 10 3  3.4 1.01 6.4 1.91")), grid, past),
+                    Catch::Contains("went past an edge"));
 }
 
 TEST_CASE("rounded edges written as .lines are the complex, digit for digit") {

@@ -51,19 +51,21 @@ struct Rounding {
 /// proofs need pixels of one shape, and points at least one spacing apart stay apart. So ties
 /// go upwards on uniform grids.
 ///
-/// Guaranteed, and the first four verified before it returns (`ensure_rounded`), all **exact**:
+/// Guaranteed, and the first five verified before it returns (`ensure_rounded`), all **exact**:
 /// - Grid: every coordinate is a number of the grid.
 /// - Movement: in x and in y, no vertex moves by more than spacing / 2; an edge's image, walked
 ///   from end to end, stays within spacing / 2 of the edge, walked at some pace.
 /// - Planarity: `validate` finds nothing; no vertex is in the interior of an edge.
 /// - Topology is kept up to merging: nothing gets into another face. Vertices merge, edges vanish
 ///   or merge or bend at vertices, faces vanish or fall into parts, and nothing else happens.
+/// - Sides: no vertex goes past an edge, whatever the faces: one above an edge, its x between those
+///   of the ends, is then above the edge's image or on it, and one below it below or on it.
 /// - Nothing moves without need: a complex that simple rounding keeps is simply rounded.
 /// - Idempotence: what this returned is rounded to itself, with the same incidences.
 /// - Determinism: the result depends on the complex and the grid alone; it is in canonical order.
 ///
-/// Not guaranteed: a distance between vertices and edges; that simple rounding takes no loose piece
-/// past an antenna near it, in one face; that a mirrored complex has the mirrored result.
+/// Not guaranteed: a distance between vertices and edges; that a mirrored complex has the mirrored
+/// result.
 ///
 /// Requires: a valid complex in canonical order, coordinates within kMaxCoordinateBits. Degenerate:
 /// a component that falls into one pixel becomes an isolated vertex. Cost: O(n log n) where simple
@@ -74,8 +76,8 @@ Rounding safely_rounded(const ExactComplex& complex, const Grid& grid,
                         const ArrangeOptions& options = {});
 
 /// Whether the complex with every vertex simply rounded (to nearest doubles, ties to even; to
-/// decimals, ties upwards) is a valid complex with the same incidences. **Exact**. Requires and
-/// throws: as above.
+/// decimals, ties upwards) is a valid complex with the same incidences, and no vertex went past an
+/// edge. **Exact**. Requires and throws: as above.
 bool is_kept_by_simple_rounding(const ExactComplex& complex, const Grid& grid);
 
 /// Checks every guarantee above of a rounding of `complex` but the last three, anew. Throws: Error

@@ -47,19 +47,17 @@ class Certifier {
     return has_right_cycles();
   }
 
-  std::optional<std::vector<std::optional<EdgeId>>> below_components() {
+  std::optional<std::vector<EdgesBeside>> beside_vertices() {
     if (!prepare()) return std::nullopt;
-    std::vector<std::optional<EdgeId>> below(c_.component_count());
-    std::vector<bool> is_seen(c_.component_count());
-    for (std::size_t i = 0; i < c_.vertices.size(); ++i) {
-      const VertexId v(i);
-      if (!reach(v)) return std::nullopt;
-      const ComponentId k = c_.vertex_component[v];
-      if (!is_seen[k]) below[k] = this->below();
-      is_seen[k] = true;
-      if (!take_beginning(v)) return std::nullopt;
+    std::vector<EdgesBeside> beside;
+    beside.reserve(c_.vertices.size());
+    for (std::size_t v = 0; v < c_.vertices.size(); ++v) {
+      if (!reach(VertexId(v))) return std::nullopt;
+      const EdgeId above = above_ == status_.end() ? EdgeId() : above_->edge;
+      beside.push_back({below().value_or(EdgeId()), above});
+      if (!take_beginning(VertexId(v))) return std::nullopt;
     }
-    return below;
+    return beside;
   }
 
  private:
@@ -240,9 +238,20 @@ bool Certifier::has_right_cycles() const {
 
 bool is_certified(const ExactComplex& complex) { return Certifier(complex).run(); }
 
+std::optional<std::vector<EdgesBeside>> edges_beside_vertices(const ExactComplex& complex) {
+  return Certifier(complex).beside_vertices();
+}
+
 std::optional<std::vector<std::optional<EdgeId>>> edges_below_components(
     const ExactComplex& complex) {
-  return Certifier(complex).below_components();
+  const auto beside = edges_beside_vertices(complex);
+  if (!beside) return std::nullopt;
+  std::vector<std::optional<EdgeId>> below(complex.component_count());
+  for (std::size_t v = beside->size(); v-- > 0;) {
+    const EdgeId e = (*beside)[v].below;
+    below[complex.vertex_component[v]] = e.valid() ? std::optional(e) : std::nullopt;
+  }
+  return below;
 }
 
 }  // namespace plumbline

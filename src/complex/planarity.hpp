@@ -13,9 +13,15 @@ namespace plumbline {
 /// O(n log n), nearly all of it in doubles.
 bool is_certified(const ExactComplex& complex);
 
+/// The edges next below and above a vertex that do not end at it; invalid where there are none.
+struct EdgesBeside {
+  EdgeId below, above;
+};
 /// The same for the graph alone, whose faces may be wrong: nothing unless it is proved to keep
-/// DuplicateVertex, DuplicateEdge, VertexOnEdge and Crossing, else the edge just below the least
-/// vertex of each component, if there is one. Requires: no violation of Index. Cost: O(n log n).
+/// DuplicateVertex, DuplicateEdge, VertexOnEdge and Crossing, else per vertex the edges beside it.
+/// Requires: no violation of Index. Cost: O(n log n).
+std::optional<std::vector<EdgesBeside>> edges_beside_vertices(const ExactComplex& complex);
+/// Of these, the edge just below the least vertex of each component, if there is one.
 std::optional<std::vector<std::optional<EdgeId>>> edges_below_components(
     const ExactComplex& complex);
 

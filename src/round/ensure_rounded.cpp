@@ -7,6 +7,7 @@
 #include "plumbline/round.hpp"
 #include "round/grid.hpp"
 #include "round/images.hpp"
+#include "round/sides.hpp"
 
 namespace plumbline {
 namespace {
@@ -30,6 +31,7 @@ class Promises {
     check_vertices();
     check_edges();
     check_faces();
+    check_sides();
   }
 
  private:
@@ -115,6 +117,21 @@ class Promises {
                 rounding_.complex.edge_count() == exact_.edge_count() &&
                 rounding_.complex.face_count() == exact_.face_count(),
             "the incidences are not the same", {});
+  }
+
+  void check_sides() const {
+    Lists<VertexId> chains;
+    std::vector<VertexId> chain;
+    for (std::size_t e = 0; e < exact_.edge_count(); ++e) {
+      chain.assign(1, rounding_.vertex_image[exact_.edges[e].tail]);
+      for (const HalfedgeId h : rounding_.edge_image[e]) {
+        chain.push_back(rounding_.complex.target(h));
+      }
+      chains.push_back(chain);
+    }
+    const auto v =
+        round_steps::vertex_past_edge(exact_, rounding_.complex, rounding_.vertex_image, chains);
+    if (v) require(false, "a vertex went past an edge", exact_.vertices[*v]);
   }
 
   const ExactComplex& exact_;

@@ -9,6 +9,7 @@
 #include "round/grid.hpp"
 #include "round/hot_pixels.hpp"
 #include "round/images.hpp"
+#include "round/sides.hpp"
 #include "round/snap.hpp"
 
 namespace plumbline {
@@ -23,7 +24,16 @@ bool is_valid(const ExactComplex& complex) {
   return violations.empty() && is_certified(complex);
 }
 
-/// The complex with its vertices at these places and the same incidences, if that is a valid one.
+Lists<VertexId> straight_chains(const ExactComplex& complex, const Places& places) {
+  Lists<VertexId> chains;
+  for (const auto& [tail, head] : complex.edges) {
+    chains.push_back(std::vector{places.of_vertex[tail], places.of_vertex[head]});
+  }
+  return chains;
+}
+
+/// The complex with its vertices at these places and the same incidences, if that is a valid one
+/// and no vertex goes past an edge.
 std::optional<ExactComplex> moved(const ExactComplex& complex, const Places& places) {
   if (places.points.size() != complex.vertices.size()) return {};
   ExactComplex result = complex;
@@ -32,15 +42,10 @@ std::optional<ExactComplex> moved(const ExactComplex& complex, const Places& pla
   }
   result = canonical(std::move(result));
   if (!is_valid(result)) return {};
-  return result;
-}
-
-Lists<VertexId> straight_chains(const ExactComplex& complex, const Places& places) {
-  Lists<VertexId> chains;
-  for (const auto& [tail, head] : complex.edges) {
-    chains.push_back(std::vector{places.of_vertex[tail], places.of_vertex[head]});
+  if (vertex_past_edge(complex, result, places.of_vertex, straight_chains(complex, places))) {
+    return {};
   }
-  return chains;
+  return result;
 }
 
 Places nearest_doubles(const ExactComplex& complex) {
