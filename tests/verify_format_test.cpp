@@ -118,11 +118,6 @@ TEST_CASE("a text that is not a certificate's is refused, with the line") {
        {{"holes 0", "holes 1"}},
        "line 17: face 0 is \"outer - depth 0 parent - holes 1 isolated\", not \"outer - depth 0 "
        "parent - holes 0 isolated\""},
-      {"a point inside the unbounded face",
-       kCrossing,
-       {{"inside -", "inside 7 7"}},
-       "line 17: the unbounded face does not have \" inside -\""},
-      {"no point inside a face", kAntenna, {{"inside 3 1", "inside -"}}, "a coordinate is not"},
       {"a component in no face",
        kCrossing,
        {{"components 1\n0 0", "components 1\n0 1"}},

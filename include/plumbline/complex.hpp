@@ -121,7 +121,8 @@ std::vector<Rational> cycle_areas(const ExactComplex& complex);
 /// Exact areas, per face, holes subtracted; 0 for the unbounded face.
 std::vector<Rational> face_areas(const ExactComplex& complex);
 
-/// A point strictly inside bounded face f, as far from its boundary as one scan line finds.
+/// The point strictly inside bounded face f that docs/certificate.md names: half-way between the
+/// two successive heights of its vertices that are farthest apart, the middle of the widest piece.
 /// **Exact**. Requires: a valid complex, f != kUnbounded. Cost: O(k log k) for k edges of the face.
 Point interior_point(const ExactComplex& complex, FaceId f);
 

@@ -81,7 +81,12 @@ class Reader {
   }
 
   Number number() {
-    std::optional<Number> value = canonical_number(field());
+    const std::string_view text = field();
+    // So that no number takes longer than those of the input account for.
+    if (text.size() > input_.longest_coordinate) {
+      refuse("a coordinate is longer than any that this input can have");
+    }
+    std::optional<Number> value = canonical_number(text);
     if (!value) refuse("a coordinate is not an integer or a fraction in lowest terms");
     return *std::move(value);
   }
@@ -154,23 +159,14 @@ class Reader {
     }
   }
 
-  /// Parts the lines of faces in front of " inside", and reads the points after it.
+  /// Parts the lines of faces in front of " inside".
   void inside() {
     constexpr std::string_view kInside = " inside ";
-    line_number_ = certificate_.face_line;
     for (std::string_view& face : certificate_.faces) {
       const std::size_t end = std::min(face.rfind(kInside), face.size());
-      line_ = face.substr(std::min(end + kInside.size(), face.size()));
+      certificate_.inside.push_back(face.substr(std::min(end + kInside.size(), face.size())));
       face = face.substr(0, end);
-      if (line_number_ == certificate_.face_line) {
-        if (line_ != "-") refuse("the unbounded face does not have \" inside -\"");
-      } else {
-        certificate_.inside.push_back(point());
-        if (!line_.empty()) refuse("a line goes on where it should end");
-      }
-      ++line_number_;
     }
-    --line_number_;
   }
 
   std::string_view text_;  ///< after the line
@@ -193,11 +189,6 @@ void Certificate::refuse_vertex(Index v, const std::string& problem) const {
 
 void Certificate::refuse_edge(Index e, const std::string& problem, const Point& place) const {
   throw Refusal{"edge " + std::to_string(e) + " " + problem, edge_line + e, text_of(place)};
-}
-
-void Certificate::refuse_inside(Index face, const std::string& problem) const {
-  throw Refusal{"the point inside face " + std::to_string(face) + " " + problem, face_line + face,
-                text_of(inside[face - 1])};
 }
 
 void require(const std::string& item, std::string_view said, std::string_view right,

@@ -32,8 +32,8 @@ struct Edge {
 inline Index along(Index edge) { return 2 * edge; }
 inline Index against(Index edge) { return 2 * edge + 1; }
 
-/// What a certificate says. Of its vertices, edges and points inside faces it is known that they
-/// are well-formed, refer to what there is, and come in their order; everything else is text still.
+/// What a certificate says. Of its vertices and edges it is known that they are well-formed, refer
+/// to what there is, and come in their order; everything else is text still.
 struct Certificate {
   std::string_view signature;
   std::vector<Point> vertices;            ///< strictly ascending
@@ -42,8 +42,8 @@ struct Certificate {
   Lists segments;             ///< that cover each edge, strictly ascending, at least one
   std::vector<Index> pieces;  ///< which piece of the segment an edge is, as segments.values
   std::vector<std::string_view> cycles, faces,
-      components;             ///< lines; of faces what is before " inside"
-  std::vector<Point> inside;  ///< of each face but face 0
+      components;                        ///< lines; of faces what is before " inside"
+  std::vector<std::string_view> inside;  ///< of each face what is after it
 
   /// The line of the text on which a section's first item is.
   std::size_t vertex_line = 0, edge_line = 0, cycle_line = 0, face_line = 0, component_line = 0;
@@ -51,7 +51,6 @@ struct Certificate {
   /// Throw a Refusal: what is wrong with an item, on its line, at its place.
   [[noreturn]] void refuse_vertex(Index v, const std::string& problem) const;
   [[noreturn]] void refuse_edge(Index e, const std::string& problem, const Point& place) const;
-  [[noreturn]] void refuse_inside(Index face, const std::string& problem) const;
 };
 
 /// Reads a certificate. Throws: Refusal.

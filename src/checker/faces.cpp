@@ -1,4 +1,4 @@
-// Steps 5, 6 and 7: components, faces, nesting, the points inside, Euler's relation.
+// Steps 5, 6 and 7: components, faces, nesting, Euler's relation.
 
 #include <algorithm>
 #include <numeric>
@@ -121,10 +121,6 @@ std::vector<Face> check_faces(const Certificate& certificate, const Sweep& sweep
     require("component " + std::to_string(c), certificate.components[c],
             std::to_string(v) + " " + std::to_string(nesting.face_around(v)),
             certificate.component_line + c, &certificate.vertices[v]);
-  }
-  for (Index f = 1; f < faces.size(); ++f) {
-    const Index face = nesting.face_above(sweep.below_inside[f - 1]);
-    if (face != f) certificate.refuse_inside(f, "is in face " + std::to_string(face));
   }
   // This follows, but a slip above would show here.
   if (certificate.vertices.size() + faces.size() !=

@@ -14,6 +14,7 @@ namespace plumbline_checker {
 namespace {
 
 constexpr std::size_t kMaxFields = 4;
+constexpr std::size_t kShortCoordinate = 1000;  // letters that cost next to nothing
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r";
@@ -27,6 +28,26 @@ std::string shown(std::string_view text) {
   std::string result;
   for (const char c : text.substr(0, kShown)) result += c >= ' ' && c <= '~' ? c : '?';
   return text.size() > kShown ? result + "..." : result;
+}
+
+std::size_t bits(const mpz_class& z) { return mpz_sizeinbase(z.get_mpz_t(), 2); }
+std::size_t bits(const Number& n) { return std::max(bits(n.numerator), bits(n.denominator)); }
+std::size_t bits(const Point& p) { return std::max(bits(p.x), bits(p.y)); }
+
+/// A coordinate of a crossing is, before it is reduced, a quotient of two by two determinants of
+/// the lines' numbers.
+std::size_t longest_coordinate(const Input& input) {
+  std::size_t of_lines = 0;
+  std::size_t most = 0;
+  for (const auto& [first, last, reversed, line] : input.segments) {
+    most = std::max({most, bits(first), bits(last)});
+    of_lines = std::max({of_lines, bits(line.a), bits(line.b), bits(line.c)});
+  }
+  for (const Point& point : input.points) most = std::max(most, bits(point));
+  most = std::max(most, 2 * of_lines + 1);
+  const std::size_t digits = most * 302 / 1000 + 1;  // log10(2) < 0.302
+  const std::size_t sign_and_slash = 2;
+  return std::max(kShortCoordinate, 2 * digits + sign_and_slash);
 }
 
 class Rows {
@@ -84,6 +105,7 @@ Input read_input(std::string_view text) {
     text.remove_prefix(std::min(whole.size() + 1, text.size()));
     if (const std::string_view row = trimmed(whole); !row.empty()) rows.add(row, line);
   }
+  input.longest_coordinate = longest_coordinate(input);
   return input;
 }
 

@@ -19,6 +19,9 @@ struct Input {
   std::vector<Segment> segments;  ///< by rows
   std::vector<Point> points;      ///< by rows
   std::size_t without_length = 0;
+  /// Letters that suffice for a coordinate of an end, a point or a crossing in lowest terms, and
+  /// some.
+  std::size_t longest_coordinate = 0;
 };
 
 /// Reads a .lines text. A byte order mark, blanks around fields and \r before \n mean nothing.

@@ -130,8 +130,7 @@ std::optional<Number> canonical_number(std::string_view text) {
   const std::size_t slash = std::min(text.find('/'), text.size());
   const std::string_view above = text.substr(0, slash);
   const auto is_canonical = [](std::string_view digits) {
-    return all_digits(digits) && digits.size() <= kMaxDigits &&
-           (digits[0] != '0' || digits.size() == 1);
+    return all_digits(digits) && (digits[0] != '0' || digits.size() == 1);
   };
   if (!is_canonical(above) || (negative && above == "0")) return std::nullopt;
   mpz_class numerator = integer(above);

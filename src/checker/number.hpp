@@ -10,8 +10,6 @@ namespace plumbline_checker {
 
 /// Longest decimal or integer of a fraction in an input, in digits, and its largest exponent.
 inline constexpr std::size_t kMaxInputDigits = 10'000;
-/// Longest integer in a certificate: a crossing of segments with the longest coordinates has less.
-inline constexpr std::size_t kMaxDigits = 1'000'000;
 
 /// An exact number in lowest terms, and where it is about: |near - it| <= 2^-50 |near|, or NaN if
 /// its size is beyond 2^200 or below 2^-200 (so that no product of a few of them leaves the range
@@ -41,7 +39,7 @@ struct Point {
 std::optional<Number> input_number(std::string_view text);
 
 /// The number that a text of a certificate denotes: an integer or a fraction in lowest terms, in
-/// decimal, the one way to write it. None if it does not.
+/// decimal, the one way to write it. None if it does not. Cost: that of a greatest common divisor.
 std::optional<Number> canonical_number(std::string_view text);
 
 /// Sign of a - b. **Exact**.

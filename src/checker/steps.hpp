@@ -21,7 +21,6 @@ struct Sweep {
   std::vector<Index> next;     ///< of each halfedge, with the same face on its left
   std::vector<Index> topmost;  ///< of each vertex the steepest edge to the right, or kNone
   std::vector<Index> below;    ///< of each vertex without edges to the left the edge next below
-  std::vector<Index> below_inside;  ///< the same of the point inside each face but face 0
 };
 Sweep check_planarity(const Input& input, const Certificate& certificate);
 
@@ -36,9 +35,13 @@ struct Face {
   Index outer = kNone, depth = 0, parent = kNone;
   std::vector<Index> holes, isolated;
 };
-/// Components, faces, their nesting and the points inside, and Euler's relation.
+/// Components, faces, their nesting, and Euler's relation.
 std::vector<Face> check_faces(const Certificate& certificate, const Sweep& sweep,
                               const Cycles& cycles);
+
+/// The point inside each face is the one that the format names.
+void check_inside(const Input& input, const Certificate& certificate, const Cycles& cycles,
+                  const std::vector<Face>& faces);
 
 /// The signature is that of the content.
 void check_signature(const Certificate& certificate, const Lists& cycles,

@@ -36,23 +36,16 @@ class PlaneSweep {
     result_.next.assign(2 * certificate.edges.size(), kNone);
     result_.topmost.assign(certificate.vertices.size(), kNone);
     result_.below.assign(certificate.vertices.size(), kNone);
-    result_.below_inside.assign(certificate.inside.size(), kNone);
     ending_.assign(certificate.vertices.size(), Ending{});
     for (Index e = 0; e < certificate.edges.size(); ++e) {
       Ending& ending = ending_[certificate.edges[e].head];
       ++ending.count;
       ending.edge = e;
     }
-    sort_inside_points();
   }
 
   Sweep run() {
-    auto inside = inside_.begin();
-    for (Index v = 0; v < certificate_.vertices.size(); ++v) {
-      for (; inside != inside_.end() && inside->vertex == v; ++inside) locate_inside(*inside);
-      pass(v);
-    }
-    for (; inside != inside_.end(); ++inside) locate_inside(*inside);
+    for (Index v = 0; v < certificate_.vertices.size(); ++v) pass(v);
     return std::move(result_);
   }
 
@@ -73,10 +66,6 @@ class PlaneSweep {
     Index count = 0;
     Index edge = kNone;  ///< one of them
   };
-  /// A point inside a face, to be located before a vertex.
-  struct Inside {
-    Index vertex, item;
-  };
 
   /// Edges lie on their segments, and point the same way: this was checked before.
   const Line& line(Index edge) const {
@@ -88,33 +77,6 @@ class PlaneSweep {
     if (edge(a).tail == edge(b).tail) return turn(line(a), line(b)) > 0;
     if (edge(a).tail < edge(b).tail) return side(line(a), certificate_.vertices[edge(b).tail]) > 0;
     return side(line(b), certificate_.vertices[edge(a).tail]) < 0;
-  }
-
-  void sort_inside_points() {
-    const std::vector<Point>& vertices = certificate_.vertices;
-    for (Index item = 0; item < certificate_.inside.size(); ++item) {
-      const Point& p = certificate_.inside[item];
-      const auto found = std::lower_bound(vertices.begin(), vertices.end(), p, before);
-      if (found != vertices.end() && *found == p) {
-        certificate_.refuse_inside(item + 1, "is a vertex");
-      }
-      inside_.push_back({static_cast<Index>(found - vertices.begin()), item});
-    }
-    std::sort(inside_.begin(), inside_.end(), [](const Inside& a, const Inside& b) {
-      return std::pair(a.vertex, a.item) < std::pair(b.vertex, b.item);
-    });
-  }
-
-  void locate_inside(const Inside& inside) {
-    const Point& p = certificate_.inside[inside.item];
-    const Place above = status_.lower_bound(p);
-    const bool is_between = (above == status_.end() || side(line(*above), p) < 0) &&
-                            (above == status_.begin() || side(line(*std::prev(above)), p) > 0);
-    if (!is_between) {
-      certificate_.refuse_inside(inside.item + 1,
-                                 "lies on an edge, or edges cross to the left of it");
-    }
-    if (above != status_.begin()) result_.below_inside[inside.item] = *std::prev(above);
   }
 
   void pass(Index v) {
@@ -192,7 +154,6 @@ class PlaneSweep {
   Status status_;
   std::vector<Place> place_;  ///< of each edge in the status
   std::vector<Ending> ending_;
-  std::vector<Inside> inside_;
   std::vector<Index> around_;        ///< of the vertex at hand: edges, then halfedges
   std::vector<Index> ending_edges_;  ///< there, from the highest to the lowest
   Index next_edge_ = 0;

@@ -23,6 +23,7 @@ Counts check(std::string_view input_text, std::string_view certificate_text) {
   const Sweep sweep = check_planarity(input, certificate);
   const Cycles cycles = check_cycles(certificate, sweep.next);
   const std::vector<Face> faces = check_faces(certificate, sweep, cycles);
+  check_inside(input, certificate, cycles, faces);
   check_signature(certificate, cycles.halfedges, faces);
   const auto isolated = [](std::size_t count, const Face& face) {
     return count + face.isolated.size();
@@ -60,8 +61,9 @@ std::string proved(const Counts& n) {
       ", the unbounded one included; every one of its " +
       counted(n.components, "component", "components") + ", of which " +
       counted(n.isolated_vertices, "is an isolated vertex", "are isolated vertices") +
-      ", lies in the face that it is said to lie in, and the point inside each face is strictly in "
-      "it. Euler's relation holds, V - E + F = " +
+      ", lies in the face that it is said to lie in, and the point inside each face is the one "
+      "that the "
+      "format names. Euler's relation holds, V - E + F = " +
       std::to_string(n.vertices) + " - " + std::to_string(n.edges) + " + " +
       std::to_string(n.faces) + " = 1 + " + std::to_string(n.components) +
       ", everything is in canonical order, and the signature is that of the content.";

@@ -139,8 +139,8 @@ inline const std::map<std::string, Case>& cases() {
         "-1 +2 -5\n"
         "faces 3\n"
         "outer - depth 0 parent - holes 0 isolated inside -\n"
-        "outer 1 depth 1 parent 0 holes isolated inside 3 3\n"
-        "outer 2 depth 1 parent 0 holes isolated inside 1 1\n"
+        "outer 1 depth 1 parent 0 holes isolated inside 2 3\n"
+        "outer 2 depth 1 parent 0 holes isolated inside 5/8 1/2\n"
         "components 1\n"
         "0 0\n");
     add("an antenna and a point in a face", "0,0,4,0\n4,0,4,4\n4,4,0,4\n0,4,0,0\n0,0,1,1\n2,3\n",
@@ -162,7 +162,7 @@ inline const std::map<std::string, Case>& cases() {
         "-0 +1 -1 +2 +4 -3\n"
         "faces 2\n"
         "outer - depth 0 parent - holes 0 isolated inside -\n"
-        "outer 1 depth 1 parent 0 holes isolated 3 inside 3 1\n"
+        "outer 1 depth 1 parent 0 holes isolated 3 inside 2 2\n"
         "components 2\n"
         "0 0\n"
         "3 1\n");
@@ -200,8 +200,8 @@ inline const std::map<std::string, Case>& cases() {
         "+8 -8\n"
         "faces 3\n"
         "outer - depth 0 parent - holes 0 4 isolated inside -\n"
-        "outer 1 depth 1 parent 0 holes 2 isolated 2 inside 7 1\n"
-        "outer 3 depth 2 parent 1 holes isolated 5 inside 3 4\n"
+        "outer 1 depth 1 parent 0 holes 2 isolated 2 inside 1 4\n"
+        "outer 3 depth 2 parent 1 holes isolated 5 inside 4 3\n"
         "components 5\n"
         "0 0\n"
         "2 1\n"
