@@ -1,18 +1,16 @@
 // plumbline-verify: checks a certificate against the input that it is of.
 
-#include <gmp.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "limits.hpp"
 #include "verify.hpp"
 
 namespace {
@@ -23,7 +21,7 @@ constexpr int kBad = 2;
 constexpr std::size_t kMaxBytes = 0xFFFFFFFF;
 
 constexpr std::string_view kUsage =
-    "usage: plumbline-verify INPUT CERTIFICATE\n"
+    "usage: plumbline-verify [--max-memory SIZE] [--timeout SECONDS] INPUT CERTIFICATE\n"
     "\n"
     "Proves, in exact arithmetic and without anything of what made it, that CERTIFICATE holds the\n"
     "planar arrangement of INPUT, a .lines file, or says what is wrong first, and where.\n"
@@ -32,9 +30,11 @@ constexpr std::string_view kUsage =
     "  plumbline arrange plan.lines --certify plan.certificate\n"
     "  plumbline-verify plan.lines plan.certificate\n"
     "\n"
-    "Exit codes: 0 proved, 1 refused, 2 bad input or usage. docs/certificate.md has the format "
-    "and\n"
-    "what is proved.\n";
+    "  --max-memory SIZE   give up, with exit code 2, where more would be needed; 500M, 4G\n"
+    "  --timeout SECONDS   give up after so long, with exit code 2\n"
+    "\n"
+    "Exit codes: 0 proved, 1 refused, 2 bad input or usage, or a limit. docs/certificate.md has\n"
+    "the format and what is proved.\n";
 
 void complain(std::string_view text) {
   std::fprintf(stderr, "plumbline-verify: %.*s\n", static_cast<int>(text.size()), text.data());
@@ -70,21 +70,6 @@ std::optional<std::string> content(const char* name) {
   }
 }
 
-[[noreturn]] void end_without_memory() {
-  complain("out of memory");
-  std::_Exit(kBad);
-}
-void* allocate(std::size_t size) {
-  void* const memory = std::malloc(size);
-  if (memory == nullptr) end_without_memory();
-  return memory;
-}
-void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
-  void* const memory = std::realloc(old, size);
-  if (memory == nullptr) end_without_memory();
-  return memory;
-}
-
 int run(const char* input_name, const char* certificate_name) {
   const std::optional<std::string> input = content(input_name);
   if (!input) return kBad;
@@ -109,27 +94,47 @@ int run(const char* input_name, const char* certificate_name) {
   }
 }
 
+/// The files that the arguments name, their options obeyed; none, with a complaint, if they are no
+/// such arguments.
+std::optional<std::vector<const char*>> files(const std::vector<const char*>& arguments) {
+  std::vector<const char*> result;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string_view argument = arguments[i];
+    const bool is_memory = argument == "--max-memory";
+    if (is_memory || argument == "--timeout") {
+      const char* const value = ++i < arguments.size() ? arguments[i] : "";
+      if (is_memory && !plumbline_checker::limit_memory(value)) {
+        complain("not a size, as 500M or 4G: --max-memory " + std::string(value));
+        return std::nullopt;
+      }
+      if (!is_memory && !plumbline_checker::limit_time(value)) {
+        complain("not a positive number of seconds, at most 1e9: --timeout " + std::string(value));
+        return std::nullopt;
+      }
+    } else if (argument.starts_with('-')) {
+      result.clear();
+      break;
+    } else {
+      result.push_back(arguments[i]);
+    }
+  }
+  if (result.size() == 2) return result;
+  std::fputs(kUsage.data(), stderr);
+  return std::nullopt;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  // GMP would abort.
-  mp_set_memory_functions(allocate, reallocate, nullptr);
-  const bool asks_for_help = std::any_of(argv + 1, argv + argc, [](const char* argument) {
-    return argument == std::string_view("--help") || argument == std::string_view("-h");
-  });
+  plumbline_checker::end_where_memory_ends();
+  const std::vector<const char*> arguments(argv + std::min(argc, 1), argv + argc);
+  const bool asks_for_help = std::any_of(
+      arguments.begin(), arguments.end(),
+      [](std::string_view argument) { return argument == "--help" || argument == "-h"; });
   if (asks_for_help) {
     std::fputs(kUsage.data(), stdout);
     return kAccepted;
   }
-  const auto is_option = [](const char* argument) { return argument[0] == '-'; };
-  if (const int files = 2; argc != files + 1 || std::any_of(argv + 1, argv + argc, is_option)) {
-    std::fputs(kUsage.data(), stderr);
-    return kBad;
-  }
-  try {
-    return run(argv[1], argv[2]);
-  } catch (const std::bad_alloc&) {
-    complain("out of memory");
-    return kBad;
-  }
+  const auto names = files(arguments);
+  return names ? run(names->front(), names->back()) : kBad;
 }
