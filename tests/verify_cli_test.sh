@@ -45,13 +45,13 @@ expect "an empty certificate is refused" 1 'empty: refused: line 1: it ends befo
 mkfifo nobody-writes
 expect "a limit of time ends it" 2 '^plumbline-verify: timeout: more than --timeout 0.2$' \
   timeout 60 "$verify" --timeout 0.2 crossing.lines nobody-writes
-expect "limits that are not reached change nothing" 0 '^Proved' "$verify" --timeout 3600 --max-memory 100G crossing.lines crossing.certificate
 for limit in "--timeout" "--timeout 0" "--timeout -1" "--timeout 1s" "--timeout nan" "--max-memory" "--max-memory 0" "--max-memory -1" \
   "--max-memory 5X" "--max-memory 99999999999999999999" "--max-memory 18446744073709551615G"; do
   # shellcheck disable=SC2086
   expect "$limit is no limit" 2 '^plumbline-verify: not a (size|positive number)' "$verify" crossing.lines crossing.certificate $limit
 done
 if [[ -z $sanitizer ]]; then # it takes terabytes of addresses for itself
+  expect "limits that are not reached change nothing" 0 '^Proved' "$verify" --timeout 3600 --max-memory 100G crossing.lines crossing.certificate
   yes 0,0,1,1 | head -n 500000 >many.lines
   expect "a limit of memory ends it" 2 '^plumbline-verify: out of memory: more than --max-memory 16M$' \
     "$verify" --max-memory 16M many.lines crossing.certificate

@@ -3,6 +3,7 @@
 // edges of an antenna, which the boundary has twice, only divide what is inside.
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -14,22 +15,23 @@ namespace {
 mpq_class rational(const Number& number) { return {number.numerator, number.denominator}; }
 bool is_less(const Number& a, const Number& b) { return compare(a, b) < 0; }
 
+/// Whether b - a < d - c. **Exact**; doubles decide where they can, by the bound of `compare`.
+bool is_narrower(const Number& a, const Number& b, const Number& c, const Number& d) {
+  const double difference = (d.near - c.near) - (b.near - a.near);
+  const double bound =
+      0x1p-48 * (std::abs(a.near) + std::abs(b.near) + std::abs(c.near) + std::abs(d.near));
+  if (difference > bound) return true;
+  if (difference < -bound) return false;
+  return rational(b) - rational(a) < rational(d) - rational(c);
+}
+
 /// The middle of the first of the widest gaps between numbers that ascend: those from number 0,
 /// `step`, 2 `step`, ... to the next one.
 template <class Get>
 mpq_class middle_of_widest(std::size_t count, std::size_t step, const Get& number) {
-  const auto width = [&](std::size_t i) {
-    return mpq_class(rational(number(i + 1)) - rational(number(i)));
-  };
   std::size_t widest = 0;
-  if (step + 1 < count) {
-    mpq_class greatest = width(0);
-    for (std::size_t i = step; i + 1 < count; i += step) {
-      mpq_class other = width(i);
-      if (other <= greatest) continue;
-      greatest = std::move(other);
-      widest = i;
-    }
+  for (std::size_t i = step; i + 1 < count; i += step) {
+    if (is_narrower(number(widest), number(widest + 1), number(i), number(i + 1))) widest = i;
   }
   return (rational(number(widest)) + rational(number(widest + 1))) / 2;
 }
