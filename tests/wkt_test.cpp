@@ -22,7 +22,7 @@ std::string listed_wkb(const std::string& bytes) { return listing(read_wkb(bytes
 template <class Reader>
 std::string error_of(Reader reader, const std::string& text) {
   try {
-    reader(text, "a");
+    reader(text, "a", plumbline::ReadOptions{});
   } catch (const plumbline::Error& error) {
     return error.what();
   }

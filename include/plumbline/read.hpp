@@ -26,6 +26,10 @@ struct ReadOptions {
   /// Whether curves of the drawing may be joined to what they meet, as `evaluate` does it; else
   /// they stay where the file's numbers have them.
   bool join_curves = true;
+  /// Whether a number that lies within eight units in the last place of a double of a decimal of at
+  /// most 12 digits is that decimal, as programs print doubles: 420.34 for 420.34000000000003;
+  /// counted in the ledger.
+  bool shortest_decimals = false;
   /// Largest number of segments that formats without hierarchy may have, and of the chords of all
   /// curves; beyond it reading ends with Error Limit. What they become where shared Structs are
   /// repeated is limited by `evaluate`.
@@ -72,7 +76,8 @@ Structure read_dxf(std::string_view text, const std::string& file_name,
 
 /// LAR's `.lines` text: a row `x1,y1,x2,y2` per segment, blanks around the numbers allowed; empty
 /// rows are skipped. A row that is anything else is `rejected`. Throws: Error Limit.
-Structure read_lines(std::string_view text, const std::string& file_name);
+Structure read_lines(std::string_view text, const std::string& file_name,
+                     const ReadOptions& options = {});
 
 // The formats below have no hierarchy: elements are in the root, in one table (Model::rows) for
 // each kind of element; 80 bytes of memory a segment, ids apart. `read` takes them piece by piece:
@@ -87,31 +92,36 @@ Structure read_lines(std::string_view text, const std::string& file_name);
 /// geometry that breaks the format. Throws: Error BadInput for what is not JSON, and for a document
 /// without a known type, with a member twice or with the contents of two types in one object;
 /// Limit.
-Structure read_geojson(std::string_view text, const std::string& file_name);
+Structure read_geojson(std::string_view text, const std::string& file_name,
+                       const ReadOptions& options = {});
 
 /// Geometries in well-known text (OGC SFA 1.2.1; ISO Z, M, ZM; EWKT's SRID), one after the other,
 /// with semicolons, blank lines and lines that begin with # between them. Coordinates may be
 /// fractions p/q. Throws: Error BadInput for anything else.
-Structure read_wkt(std::string_view text, const std::string& file_name);
+Structure read_wkt(std::string_view text, const std::string& file_name,
+                   const ReadOptions& options = {});
 
 /// The same in well-known binary (also EWKB), as bytes or as hexadecimal digits. Coordinates are
 /// the dyadic rationals that their doubles are. Of bytes, sources have no place; they are named by
 /// the number of their geometry, from 1.
-Structure read_wkb(std::string_view bytes, const std::string& file_name);
+Structure read_wkb(std::string_view bytes, const std::string& file_name,
+                   const ReadOptions& options = {});
 
 /// Comma-separated values (RFC 4180; also semicolons or tabs, and `sep=`). A header names the
 /// columns x1, y1, x2, y2 or ax, ay, bx, by, or one of wkt, geom, geometry, the_geom with
 /// well-known text or hexadecimal binary; and id, fid, gid or name. Without a header a row is four
 /// numbers. A row that can't be drawn is `rejected`. Throws: Error BadInput for a first row that is
 /// neither and for a quote that is not closed; Limit.
-Structure read_csv(std::string_view text, const std::string& file_name);
+Structure read_csv(std::string_view text, const std::string& file_name,
+                   const ReadOptions& options = {});
 
 /// A LAR model as JSON: members V (points), EV (pairs of indices), FV (lists of indices),
 /// index_base (0, or 1 as in Julia; 0 if it is not there), or lines (pairs of points); or the list
 /// [V, EV], [V, FV] or [V, FV, EV]. Edges are drawn, each an
 /// element with its place. Without any, the faces become a LarModel. Throws: Error BadInput for
 /// anything else, an index out of range in particular.
-Structure read_lar_json(std::string_view text, const std::string& file_name);
+Structure read_lar_json(std::string_view text, const std::string& file_name,
+                        const ReadOptions& options = {});
 /// A LAR structure as JSON: {"root": name, "defs": {name: definition, ...}}. A definition is a
 /// Struct {"body": [...]} of references {"ref": name}, maps {"op": "t" | "s" | "r", "args": [...]}
 /// (radians), {"op": "r", "degrees": x} or {"mat": [[...], ...]}, models and Structs; or a model:

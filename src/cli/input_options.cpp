@@ -96,6 +96,10 @@ void add_input(CLI::App& command, InputArguments& arguments, const char* file) {
       "!--keep-curves", arguments.reading.join_curves,
       "Leave curves where the file's numbers have them; else they meet what lies within "
       "the rounding of these, as the ledger lists");
+  command.add_flag(
+      "--shortest-decimals", arguments.reading.shortest_decimals,
+      "Read what a program printed of a double as the decimal of at most 12 digits next to it, "
+      "where there is one: 420.34000000000003 as 420.34; the ledger counts them");
   command.add_flag("--visible", arguments.reading.visible_only,
                    "Leave out, and list, what the drawing hides; else it is drawn");
   command

@@ -1,5 +1,12 @@
 #include "read/attribute.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "number/bound_text.hpp"
+#include "number/short_decimal.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline {
@@ -16,7 +23,26 @@ std::size_t skip_digits(std::string_view text, std::size_t i) {
 
 }  // namespace
 
-Number Numbers::parse(std::string_view text) {
+Number Numbers::parse(std::string_view text) { return read(parse_whole(text)); }
+
+Number Numbers::shortened(Number value) {
+  Number shorter = short_decimal(value);
+  if (shorter == value) return value;
+  ++shortened_;
+  const Rational change = shorter.rational() - value.rational();
+  largest_change_ = std::max(largest_change_, std::abs(nearest_double(change)));
+  return shorter;
+}
+
+void Numbers::add_to(std::vector<Replacement>& ledger) const {
+  if (shortened_ == 0) return;
+  ledger.push_back({{},
+                    fmt::format("{} printed double{} by decimals of at most {} digits", shortened_,
+                                shortened_ == 1 ? "" : "s", kShortDigits),
+                    bound_text(largest_change_) + " units"});
+}
+
+Number Numbers::parse_whole(std::string_view text) {
   try {
     Number value = parse_number(text);
     if (value.is_decimal()) return value;

@@ -3,8 +3,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
-#include "plumbline/number.hpp"
+#include "plumbline/geometry.hpp"
 
 namespace plumbline {
 
@@ -20,16 +22,29 @@ class Scanner;
 /// "1e9999" makes a number a thousand times its own length.
 class Numbers {
  public:
+  /// Shortening makes a number the `short_decimal` that it lies next to.
+  explicit Numbers(bool shortening = false) : shortening_(shortening) {}
+
   /// Throws: Unusable where `parse_number` refuses; Error Limit where the document's long numbers
   /// take more than kMaxLongWords.
   Number parse(std::string_view text);
+  /// A number of the document that was read otherwise, shortened where it is to be.
+  Number read(Number value) { return shortening_ ? shortened(std::move(value)) : value; }
   /// The number that starts at the scanner, which moves behind it. Throws: also Unusable with this
   /// reason where none does; the scanner then has not moved.
   Number take(Scanner& scanner, const char* reason);
+  /// What shortening replaced, where it did: one entry, without a line.
+  void add_to(std::vector<Replacement>& ledger) const;
 
  private:
+  Number parse_whole(std::string_view text);
+  Number shortened(Number value);
+
   static constexpr std::size_t kPlainWords = 4;  ///< any decimal of up to 38 digits
   static constexpr std::size_t kMaxLongWords = std::size_t{1} << 24U;  ///< 128 MiB
+  bool shortening_;
+  std::size_t shortened_ = 0;
+  double largest_change_ = 0;
   std::size_t long_words_ = 0;
 };
 

@@ -100,9 +100,9 @@ class CsvReader {
                 place_of(fields.front()), printable(fields.front().text));
   }
 
-  bool is_number(const CsvField& field) {
+  static bool is_number(const CsvField& field) {
     try {
-      numbers_.parse(trimmed(field.text));
+      Numbers().parse(trimmed(field.text));
       return true;
     } catch (const Unusable&) {
       return false;
@@ -177,7 +177,7 @@ class CsvReader {
   CsvRecords records_;
   Columns columns_;
   FeatureTable table_;
-  Numbers numbers_;
+  Numbers& numbers_ = table_.numbers();
   Place place_;  ///< of the row
 };
 
@@ -187,9 +187,10 @@ Structure read_csv(ByteStream& bytes, const FeatureOptions& options) {
   return CsvReader(bytes, options).read();
 }
 
-Structure read_csv(std::string_view text, const std::string& file_name) {
+Structure read_csv(std::string_view text, const std::string& file_name,
+                   const ReadOptions& options) {
   ByteStream bytes(text, {file_name, 1, 1});
-  return read_csv(bytes);
+  return read_csv(bytes, feature_options(options));
 }
 
 }  // namespace plumbline

@@ -34,6 +34,7 @@ std::vector<PointD> rounded(const Polylines& lines, std::size_t begin, std::size
 
 FeatureTable::FeatureTable(const std::string& file_name, const FeatureOptions& options)
     : geometries_(options.geometries),
+      numbers_(options.shortest_decimals),
       budget_(options.max_segments, "segments"),
       files_{file_name} {}
 
@@ -192,6 +193,7 @@ Structure FeatureTable::finish() && {
                     count_of(with_other_coordinates_, "element") + " from here on");
   }
   structure.rejected = std::move(rejections_).finish();
+  numbers_.add_to(structure.ledger);
   auto& body = structure.structs[0].body;
   body.reserve(full_.size() + open_.size() +
                models_.size());  // growing would copy: Affine has no noexcept move

@@ -8,6 +8,7 @@
 
 #include "plumbline/error.hpp"
 #include "plumbline/structure.hpp"
+#include "read/attribute.hpp"
 #include "read/geometries.hpp"
 #include "read/rejections.hpp"
 #include "structure/words.hpp"
@@ -58,6 +59,9 @@ class FeatureTable {
   /// Adds a model as it is.
   void add_model(LarModel model) { models_.push_back(std::move(model)); }
 
+  /// Makes the numbers of the file.
+  Numbers& numbers() { return numbers_; }
+
   Structure finish() &&;
 
  private:
@@ -75,6 +79,7 @@ class FeatureTable {
   static Source source_of(std::string_view element, const Place& place);
 
   Geometries* geometries_;
+  Numbers numbers_;
   CountBudget budget_;
   std::vector<std::string> files_;
   std::vector<Table> open_;

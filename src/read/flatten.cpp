@@ -100,17 +100,6 @@ Rational squared_chord_error(std::span<const Point> points, std::span<const Rati
 
 }  // namespace
 
-std::string bound_text(double bound) {
-  const auto two_digits = [](double value) {
-    return nearest_double(parse_decimal(fmt::format("{:.1e}", value)));
-  };
-  double rounded = two_digits(bound);
-  if (rounded < bound) {
-    rounded = two_digits(bound + std::pow(10, std::floor(std::log10(bound)) - 1));
-  }
-  return shortest_text(rounded);
-}
-
 Flattener::Flattener(const ReadOptions& options, std::size_t max_document_chords)
     : tolerance_(options.chord_tolerance),
       chords_left_(std::min(max_document_chords, options.max_segments)) {

@@ -17,9 +17,6 @@ struct Chords {
   double bound = 0;
 };
 
-/// The bound as a ledger has it: rounded up to two digits, e.g. "0.0013".
-std::string bound_text(double bound);
-
 /// A part of an ellipse, given by points (x, y) of the unit circle.
 struct EllipticArc {
   Ellipse ellipse;

@@ -325,7 +325,7 @@ class GeoJsonReader {
 
   ByteStream& bytes_;
   FeatureTable table_;
-  Numbers numbers_;
+  Numbers& numbers_ = table_.numbers();
   std::vector<Level> levels_;
   std::size_t ignored_ = 0;  ///< depth of open objects and arrays that are passed over
   Member member_ = kOther;   ///< whose value comes next
@@ -343,9 +343,10 @@ Structure read_geojson(ByteStream& bytes, const FeatureOptions& options) {
   return GeoJsonReader(bytes, options).read();
 }
 
-Structure read_geojson(std::string_view text, const std::string& file_name) {
+Structure read_geojson(std::string_view text, const std::string& file_name,
+                       const ReadOptions& options) {
   ByteStream bytes(text, {file_name, 1, 1});
-  return read_geojson(bytes);
+  return read_geojson(bytes, feature_options(options));
 }
 
 }  // namespace plumbline

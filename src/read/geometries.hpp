@@ -20,6 +20,7 @@ struct Geometries {
 struct FeatureOptions {
   Geometries* geometries = nullptr;       ///< where lines and polygons go; none: to the Structure
   std::size_t max_segments = kAnyNumber;  ///< of the Structure
+  bool shortest_decimals = false;         ///< as ReadOptions has it
 };
 
 }  // namespace plumbline

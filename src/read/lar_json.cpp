@@ -260,7 +260,7 @@ class LarJsonReader {
 
   ByteStream& bytes_;
   FeatureTable table_;
-  Numbers numbers_;
+  Numbers& numbers_ = table_.numbers();
   Section section_ = Section::Other;
   std::string name_;      ///< of the member
   unsigned seen_ = 0;     ///< sections, as bits
@@ -283,9 +283,10 @@ Structure read_lar_json(ByteStream& bytes, const FeatureOptions& options) {
   return LarJsonReader(bytes, options).read();
 }
 
-Structure read_lar_json(std::string_view text, const std::string& file_name) {
+Structure read_lar_json(std::string_view text, const std::string& file_name,
+                        const ReadOptions& options) {
   ByteStream bytes(text, {file_name, 1, 1});
-  return read_lar_json(bytes);
+  return read_lar_json(bytes, feature_options(options));
 }
 
 }  // namespace plumbline

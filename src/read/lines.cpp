@@ -18,7 +18,7 @@ namespace {
 using Row = std::array<Number, kRowNumbers>;
 
 /// The row if it is four plain decimals and commas, as rows are.
-std::optional<Row> plain_row(std::string_view row) {
+std::optional<Row> plain_row(std::string_view row, Numbers& numbers) {
   Row values;
   for (std::size_t i = 0; i < kRowNumbers; ++i) {
     LeadingDecimal decimal = leading_decimal(row);
@@ -26,7 +26,7 @@ std::optional<Row> plain_row(std::string_view row) {
     const bool ends = i + 1 < kRowNumbers ? row.starts_with(',') : row.empty();
     if (decimal.length == 0 || !ends) return std::nullopt;
     row.remove_prefix(std::min<std::size_t>(row.size(), 1));
-    values[i] = std::move(decimal.value);
+    values[i] = numbers.read(std::move(decimal.value));
   }
   return values;
 }
@@ -49,13 +49,14 @@ Row parse_row(std::string_view row, Numbers& numbers) {
 
 }  // namespace
 
-Structure read_lines(std::string_view text, const std::string& file_name) {
+Structure read_lines(std::string_view text, const std::string& file_name,
+                     const ReadOptions& options) {
   Structure structure;
   structure.files = {file_name};
   structure.root = StructId(0);
   structure.structs.resize(1);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  Numbers numbers;
+  Numbers numbers(options.shortest_decimals);
   Model model;
   model.source.element = kRowElement;
   for (std::uint32_t line = 1; !text.empty(); ++line) {
@@ -65,7 +66,7 @@ Structure read_lines(std::string_view text, const std::string& file_name) {
     if (row.empty()) continue;
     const auto column = static_cast<std::uint32_t>(row.data() - whole.data() + 1);
     try {
-      std::optional<Row> plain = plain_row(row);
+      std::optional<Row> plain = plain_row(row, numbers);
       auto [ax, ay, bx, by] = plain ? *std::move(plain) : parse_row(row, numbers);
       model.segments.push_back({std::move(ax), std::move(ay)}, {std::move(bx), std::move(by)});
       model.rows.push_back({line, column});
@@ -74,6 +75,7 @@ Structure read_lines(std::string_view text, const std::string& file_name) {
           make_rejected({0, line, column, kRowElement, "", ""}, problem.reason, printable(row)));
     }
   }
+  numbers.add_to(structure.ledger);
   if (!model.segments.empty()) structure.structs[0].body.emplace_back(std::move(model));
   return structure;
 }

@@ -36,7 +36,7 @@ using FeatureReader = Structure (*)(ByteStream&, const FeatureOptions&);
 Structure read_streamed(const fs::path& file, const ReadOptions& options, FeatureReader reader) {
   checked_size(file, kMaxStreamedFileSize);
   ByteStream bytes(file);
-  return reader(bytes, {nullptr, options.max_segments});
+  return reader(bytes, feature_options(options));
 }
 
 Structure read_json(const fs::path& file, const ReadOptions& options) {
@@ -74,7 +74,7 @@ Structure read(const fs::path& file, const ReadOptions& options) {
   if (ending == ".svg") return read_svg(content(file), file.string(), options);
   if (ending == ".svgz") return read_svgz(file, options);
   if (ending == ".dxf") return read_dxf(content(file), file.string(), options);
-  if (ending == ".lines") return read_lines(content(file), file.string());
+  if (ending == ".lines") return read_lines(content(file), file.string(), options);
   if (ending == ".json") return read_json(file, options);
   if (ending == ".geojson") return read_streamed(file, options, read_geojson);
   if (ending == ".wkt") return read_streamed(file, options, read_wkt);

@@ -6,6 +6,10 @@
 
 namespace plumbline {
 
+inline FeatureOptions feature_options(const ReadOptions& options) {
+  return {nullptr, options.max_segments, options.shortest_decimals};
+}
+
 /// The readers of read.hpp that need no more than a part of the text at a time, on any stream.
 /// Throws: also Error Limit beyond the options' segments.
 Structure read_geojson(ByteStream& bytes, const FeatureOptions& options = {});

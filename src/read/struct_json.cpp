@@ -12,10 +12,12 @@ namespace {
 
 class StructJsonReader {
  public:
-  explicit StructJsonReader(ByteStream& bytes) : tree_(bytes) { structure_.files = {bytes.file()}; }
+  StructJsonReader(ByteStream& bytes, const ReadOptions& options)
+      : tree_(bytes), numbers_(options.shortest_decimals), angle_bound_(options.angle_bound) {
+    structure_.files = {bytes.file()};
+  }
 
-  Structure read(double angle_bound) && {
-    angle_bound_ = angle_bound;
+  Structure read() && {
     structure_.y_up = true;
     const JsonValue root = tree_.root();
     expect(root, JsonType::Object, "an object");
@@ -47,6 +49,7 @@ class StructJsonReader {
       structure_.ledger.push_back(
           {source_of(item, "", structure_.files), member(item, "what"), member(item, "bound")});
     });
+    numbers_.add_to(structure_.ledger);
     return std::move(structure_);
   }
 
@@ -218,9 +221,9 @@ class StructJsonReader {
   }
 
   JsonTree tree_;
-  Structure structure_;
   Numbers numbers_;
-  double angle_bound_ = kAngleBound;
+  double angle_bound_;
+  Structure structure_;
   std::uint64_t grid_numbers_ = 0;
   std::map<std::string, StructId, std::less<>> ids_;
   std::vector<std::pair<JsonValue, StructId>> waiting_;  ///< definitions, in the order of reading
@@ -229,7 +232,7 @@ class StructJsonReader {
 }  // namespace
 
 Structure read_struct_json(ByteStream& bytes, const ReadOptions& options) {
-  Structure structure = StructJsonReader(bytes).read(options.angle_bound);
+  Structure structure = StructJsonReader(bytes, options).read();
   try {
     dimension(structure);  // finds cycles and mixed dimensions
   } catch (const Error& error) {

@@ -205,7 +205,9 @@ class WkbReader {
         is_finite_ = false;
         continue;
       }
-      lines_.points.push_back({Number(rational_from(x)), Number(rational_from(y))});
+      Numbers& numbers = table_.numbers();
+      lines_.points.push_back(
+          {numbers.read(Number(rational_from(x))), numbers.read(Number(rational_from(y)))});
     }
     lines_.end_line();
   }
@@ -273,9 +275,10 @@ Structure read_wkb(ByteStream& bytes, const FeatureOptions& options) {
   return std::move(table).finish();
 }
 
-Structure read_wkb(std::string_view text, const std::string& file_name) {
+Structure read_wkb(std::string_view text, const std::string& file_name,
+                   const ReadOptions& options) {
   ByteStream bytes(text, {file_name, 1, 1});
-  return read_wkb(bytes);
+  return read_wkb(bytes, feature_options(options));
 }
 
 }  // namespace plumbline

@@ -293,8 +293,7 @@ void read_wkt_geometry(ByteStream& bytes, FeatureTable& table, Numbers& numbers)
 
 Structure read_wkt(ByteStream& bytes, const FeatureOptions& options) {
   FeatureTable table(bytes.file(), options);
-  Numbers numbers;
-  WktReader reader(bytes, table, numbers);
+  WktReader reader(bytes, table, table.numbers());
   for (skip_to_geometry(bytes); !bytes.at_end(); skip_to_geometry(bytes)) {
     table.begin_feature();
     reader.read_geometry();
@@ -302,9 +301,10 @@ Structure read_wkt(ByteStream& bytes, const FeatureOptions& options) {
   return std::move(table).finish();
 }
 
-Structure read_wkt(std::string_view text, const std::string& file_name) {
+Structure read_wkt(std::string_view text, const std::string& file_name,
+                   const ReadOptions& options) {
   ByteStream bytes(text, {file_name, 1, 1});
-  return read_wkt(bytes);
+  return read_wkt(bytes, feature_options(options));
 }
 
 }  // namespace plumbline

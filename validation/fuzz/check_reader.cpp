@@ -88,16 +88,11 @@ void check_result(const Read& read, const std::uint8_t* data, std::size_t size) 
 
 void check_reader(Structure (*read)(std::string_view, const std::string&, const ReadOptions&),
                   const std::uint8_t* data, std::size_t size) {
-  for (const bool visible_only : {false, true}) {
+  for (const bool is_set : {false, true}) {
     ReadOptions options;
-    options.visible_only = visible_only;
+    options.visible_only = options.shortest_decimals = is_set;
     check_result([&](std::string_view text) { return read(text, kFile, options); }, data, size);
   }
-}
-
-void check_reader(Structure (*read)(std::string_view, const std::string&), const std::uint8_t* data,
-                  std::size_t size) {
-  check_result([&](std::string_view text) { return read(text, kFile); }, data, size);
 }
 
 }  // namespace plumbline

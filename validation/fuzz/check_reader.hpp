@@ -13,8 +13,5 @@ namespace plumbline {
 /// rejected item with a reason and in a file that there is.
 void check_reader(Structure (*read)(std::string_view, const std::string&, const ReadOptions&),
                   const std::uint8_t* data, std::size_t size);
-/// The same for a reader without options.
-void check_reader(Structure (*read)(std::string_view, const std::string&), const std::uint8_t* data,
-                  std::size_t size);
 
 }  // namespace plumbline

@@ -37,11 +37,12 @@ Outcome outcome(Reader reader) {
 }  // namespace
 
 void check_streamed(Structure (*read)(ByteStream&, const FeatureOptions&),
-                    Structure (*read_text)(std::string_view, const std::string&),
+                    Structure (*read_text)(std::string_view, const std::string&,
+                                           const ReadOptions&),
                     const std::uint8_t* data, std::size_t size) {
   check_reader(read_text, data, size);
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const Outcome as_text = outcome([&] { return read_text(text, kFile); });
+  const Outcome as_text = outcome([&] { return read_text(text, kFile, {}); });
   const Outcome in_blocks = outcome([&] {
     ByteStream bytes(std::make_unique<std::istringstream>(std::string(text)), kFile, kSmallBlock);
     return read(bytes, {});

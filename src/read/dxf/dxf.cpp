@@ -42,8 +42,9 @@ class DxfReader {
   DxfReader(std::string_view text, const std::string& file_name, const ReadOptions& options)
       : file_name_(file_name),
         records_(text, file_name),
+        numbers_(options.shortest_decimals),
         layers_(names_),
-        entities_(drawing_, names_, layers_, options) {}
+        entities_(drawing_, names_, layers_, numbers_, options) {}
 
   Structure read() && {
     bool ended = false;
@@ -60,7 +61,9 @@ class DxfReader {
                                                      : "the file ends inside a section";
       drawing_.tally.leave_out({0, records_.line(), 0, "EOF", {}, {}}, reason);
     }
-    return std::move(drawing_).structure(file_name_);
+    Structure structure = std::move(drawing_).structure(file_name_);
+    numbers_.add_to(structure.ledger);
+    return structure;
   }
 
  private:

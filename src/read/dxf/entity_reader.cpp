@@ -20,8 +20,8 @@ constexpr std::string_view kSequenceEnd = "SEQEND";
 }  // namespace
 
 EntityReader::EntityReader(Drawing& drawing, const Names& names, const Layers& layers,
-                           const ReadOptions& options)
-    : drawing_(drawing), names_(names), layers_(layers), pen_(options) {}
+                           Numbers& numbers, const ReadOptions& options)
+    : drawing_(drawing), names_(names), layers_(layers), numbers_(numbers), pen_(options) {}
 
 Source EntityReader::source(const Record& record) const {
   const auto handle = std::find_if(record.groups.begin(), record.groups.end(),

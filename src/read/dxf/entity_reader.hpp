@@ -15,8 +15,8 @@ inline constexpr const char* kInPaperSpace = "in paper space";
 /// that follow it.
 class EntityReader {
  public:
-  /// Requires: the first three outlive the reader. Throws: Error BadInput for bad options.
-  EntityReader(Drawing& drawing, const Names& names, const Layers& layers,
+  /// Requires: the first four outlive the reader. Throws: Error BadInput for bad options.
+  EntityReader(Drawing& drawing, const Names& names, const Layers& layers, Numbers& numbers,
                const ReadOptions& options);
 
   /// Takes the next entity of a space.
@@ -49,8 +49,8 @@ class EntityReader {
   Drawing& drawing_;
   const Names& names_;
   const Layers& layers_;
+  Numbers& numbers_;
   Pen pen_;
-  Numbers numbers_;
   std::optional<Open> open_;
 };
 

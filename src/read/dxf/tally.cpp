@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/rejected.hpp"
-#include "read/flatten.hpp"
+#include "number/bound_text.hpp"
 
 namespace plumbline::dxf {
 namespace {

@@ -53,7 +53,7 @@ Number in_user_units(const Number& value, std::string_view unit,
 
 Number parse_length(std::string_view text, const std::optional<Rational>& whole, Numbers& numbers) {
   LeadingDecimal plain = leading_decimal(text);
-  if (plain.length == text.size() && !text.empty()) return std::move(plain.value);
+  if (plain.length == text.size() && !text.empty()) return numbers.read(std::move(plain.value));
   Scanner scanner(text);
   scanner.skip_blanks();
   const std::string_view number = scanner.number();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/text_rounding.hpp"
+#include "number/bound_text.hpp"
 
 namespace plumbline {
 namespace {

@@ -35,6 +35,7 @@ class SvgReader {
   SvgReader(std::string_view text, const std::string& file_name, const ReadOptions& options)
       : document_(text, file_name),
         index_(document_.root()),
+        numbers_(options.shortest_decimals),
         flattener_(options),
         options_(options) {
     structure_.files = {file_name};
@@ -62,6 +63,7 @@ class SvgReader {
     for (const auto& [element, path] : undrawn_.unused()) {
       reject(element, path, {"not drawn directly", {}});
     }
+    numbers_.add_to(structure_.ledger);
     return std::move(structure_);
   }
 
