@@ -51,7 +51,11 @@ printf '0,0,1e-320,0\n0,0,0,1e-320\n1e-320,0,0,1e-320\n' >tiny.lines
 expect "features below the least double's square root have a size" 0 'nearest vertices 9\.99989e-321 apart' "$plumbline" info tiny.lines
 expect "a tiny drawing has a picture" 0 'agree' "$plumbline" check tiny.lines --picture tiny.svg
 expect "without coordinates that are no numbers" 1 '^$' grep -E 'nan|inf' tiny.svg
-rm -f in.svg tiny.lines tiny.svg
+printf '0,0,420.34,0\n420.34000000000003,0,420.34000000000003,9\n' >printed.lines
+expect "info counts what printed doubles leave open" 0 'drift +printed doubles: 1 place, at most 3e-14 apart' "$plumbline" info printed.lines
+expect "findings of that alone are findings, but the drawing's own" 1 '^agree but for the file.s own drift: 1 finding.*drawing, below-the-digits: 1 ' "$plumbline" check printed.lines --radius 1e-8
+expect "short decimals leave nothing to find" 0 '^agree.*1 number was replaced, by at most 3e-14 units' "$plumbline" check printed.lines --radius 1e-8 --shortest-decimals
+rm -f in.svg tiny.lines tiny.svg printed.lines
 expect "an output that cannot be written is an error" 2 'none/out\.json' "$plumbline" arrange "$examples/dwelling.svg" -o none/out.json
 expect "a negative radius is refused" 2 'radius' "$plumbline" check "$examples/dwelling.svg" --radius -1
 expect "a radius that is no number is refused" 2 'radius' "$plumbline" check "$examples/dwelling.svg" --radius much

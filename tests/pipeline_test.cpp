@@ -13,8 +13,8 @@ using namespace plumbline;
 
 namespace {
 
-const std::string kDrawing[] = {"dwelling.svg", "hospital-emergency.svg", "hospital-ward.svg",
-                                "office-plan.svg", "building.svg"};
+const std::string kPlans[] = {"dwelling.svg", "hospital-emergency.svg", "hospital-ward.svg",
+                              "office-plan.svg", "building.svg"};
 
 Structure drawing(const std::string& name) {
   return read(std::string(PLUMBLINE_EXAMPLES) + "/" + name);
@@ -30,7 +30,7 @@ SegmentSet mapped(Structure structure, const Affine& map) {
 }  // namespace
 
 TEST_CASE("the exact complex of a real drawing keeps all invariants and covers the drawing") {
-  const std::string name = GENERATE(from_range(std::begin(kDrawing), std::end(kDrawing)));
+  const std::string name = GENERATE(from_range(std::begin(kPlans), std::end(kPlans)));
   CAPTURE(name);
   const SegmentSet input = evaluate(drawing(name));
   const ExactComplex complex = arrange(input);
@@ -54,7 +54,7 @@ TEST_CASE("V, E and F of real drawings are those of an independent rational arra
 }
 
 TEST_CASE("a mapped drawing has the image of the drawing's complex") {
-  const std::string name = GENERATE(from_range(std::begin(kDrawing), std::end(kDrawing)));
+  const std::string name = GENERATE(from_range(std::begin(kPlans), std::end(kPlans)));
   const auto [what, map] = GENERATE(table<std::string, Affine>({
       {"mirrored", {-1, 0, 0, 1, 0, 0}},
       {"rotated by 90 degrees", {0, 1, -1, 0, 0, 0}},
@@ -66,7 +66,7 @@ TEST_CASE("a mapped drawing has the image of the drawing's complex") {
 }
 
 TEST_CASE("a drawing shuffled, reversed and duplicated has the same complex") {
-  const std::string name = GENERATE(from_range(std::begin(kDrawing), std::end(kDrawing)));
+  const std::string name = GENERATE(from_range(std::begin(kPlans), std::end(kPlans)));
   CAPTURE(name);
   SegmentSet input = evaluate(drawing(name));
   const std::string expected = signature(arrange(input));

@@ -41,6 +41,7 @@ struct Check {
   std::vector<Cause> causes;             ///< of the findings of `comparison`, one each, or none
   Comparison conversion;                 ///< of the complex over the doubles with the exact complex
   std::vector<Cause> conversion_causes;  ///< of its findings
+  Drift drift;                           ///< of the exact complex: what the digits leave open
   // Filled in by `advised`.
   std::optional<FeatureSize> feature_size;  ///< of the exact complex
   std::optional<ToleranceLadder> ladder;    ///< of the exact complex
@@ -48,6 +49,8 @@ struct Check {
 
   /// The verdict: the answer is right. (What the doubles alone would give is no part of it.)
   bool agree() const { return comparison.agree(); }
+  /// How many findings are the drawing's own: their cause is kDrawing.
+  std::size_t own_findings() const;
 };
 
 /// How to check.
@@ -72,9 +75,10 @@ inline constexpr double kToleranceOfAnswers = 1e-9;
 /// that over the doubles; of one without faces vertices and edges alone. What the answer dropped is
 /// added to the input's `rejected`, its title to the input's files. Causes are kParse or kTransform
 /// where rounding to doubles alone makes the finding, else a stage of the engine, confirmed by
-/// exact continuation; of an engine without stages the engine itself. Cost: that of `arrange` and
-/// two `compare`, and where they disagree for each stage an arrangement and a comparison. Throws:
-/// as `arrange`, `compare`.
+/// exact continuation; of an engine without stages the engine itself; and before all of these
+/// kDrawing where the file's digits do not tell apart what the finding is about. Cost: that of
+/// `arrange` and two `compare`, and where they disagree for each stage an arrangement and a
+/// comparison. Throws: as `arrange`, `compare`.
 Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
             const CheckOptions& options = {});
 

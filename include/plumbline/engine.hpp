@@ -44,12 +44,13 @@ LineWork rounded(const SegmentSet& input);
 ExactComplex arrange(const LineWork& work, std::size_t threads);
 
 // What happens to a drawing before any engine sees it.
+inline constexpr const char* kDrawing = "drawing";      ///< its own digits leave it open (Drift)
 inline constexpr const char* kParse = "parse";          ///< a number became the nearest double
 inline constexpr const char* kTransform = "transform";  ///< a coordinate that maps gave did
 
 /// Why a finding is there.
 struct Cause {
-  std::string stage;        ///< kParse, kTransform, one of Answer::stages, or the engine's name
+  std::string stage;  ///< kDrawing, kParse, kTransform, one of Answer::stages, or the engine's name
   std::size_t round = 0;    ///< of an engine that repeats stages, from 1; 0 outside of rounds
   std::string rule;         ///< the name of the divergence, as in docs/divergences.md
   std::string explanation;  ///< one sentence: what the stage did there

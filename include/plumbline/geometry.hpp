@@ -150,8 +150,11 @@ class SegmentSet {
   SourceList sources;
   SegmentList segments;
   std::vector<SourceId> segment_source;  ///< per segment
-  std::vector<Point> points;             ///< isolated points, for API users; no reader makes them
-  std::vector<SourceId> point_source;    ///< per point
+  /// Per segment how far its points may lie from where they were meant to be, as numbers of twelve
+  /// digits and more are what programs print (`evaluate`); empty: nowhere.
+  std::vector<double> rounding;
+  std::vector<Point> points;           ///< isolated points, for API users; no reader makes them
+  std::vector<SourceId> point_source;  ///< per point
   std::vector<Rejected> rejected;
   std::vector<Replacement> ledger;
   bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG

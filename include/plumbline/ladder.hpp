@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "plumbline/complex.hpp"
@@ -57,5 +59,27 @@ struct LadderOptions {
 /// a vertex that is merged with an end of it where the edge passes no others. Throws: Error
 /// BadInput for a largest radius that is negative or not a number.
 ToleranceLadder tolerance_ladder(const ExactComplex& complex, const LadderOptions& options = {});
+
+/// Places of a drawing that the digits of its file can't tell apart: different vertices, or
+/// vertices beside edges, that are nearer than the roundings of both together
+/// (`SegmentSet::rounding`).
+struct Drift {
+  std::size_t places = 0;   ///< vertices that are that near to each other or to an edge are one
+  double largest = 0;       ///< distance of two of them; up to the rounding of a double
+  double bound = 0;         ///< twice the largest rounding: none of them are further apart
+  bool is_complete = true;  ///< false: there are more than kMostDrift pairs
+  std::vector<VertexId> stands_for;  ///< per vertex the sharpest of its place; empty for no places
+  std::vector<std::pair<EdgeId, VertexId>> beside;  ///< what edges would be led through
+};
+inline constexpr std::size_t kMostDrift = std::size_t{1} << 20U;
+
+/// The drift of a drawing whose exact arrangement this is. Pairs are decided by exact distances. A
+/// vertex is as sharp as the least sharp of its segments; crossings at small angles, which are less
+/// sharp still, count for no more. **Requires**: a valid complex. Order: depends on the complex and
+/// its segments' roundings alone. Cost: none where all numbers are short; else O(n log n) and some
+/// microseconds a pair.
+Drift drift(const SegmentSet& input, const ExactComplex& complex);
+/// "printed doubles: 12 places, at most 7.2e-14 apart"; empty where there is none.
+std::string to_text(const Drift& drift);
 
 }  // namespace plumbline

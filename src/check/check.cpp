@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/attribute.hpp"
+#include "check/without_drift.hpp"
 #include "compare/wrong_cells.hpp"
 #include "plumbline/arrange.hpp"
 
@@ -102,9 +103,16 @@ Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
   result.comparison = compare_answer(result.exact_complex, result.answer, tolerance);
   compare_conversion(result, options);
   explain(result, options);
+  result.drift = drift(result.input, result.exact_complex);
+  check_steps::take_from_drawing(result, options.threads);
   add_failures(result);
   add_dropped(result.input, result.answer);
   return result;
+}
+
+std::size_t Check::own_findings() const {
+  return static_cast<std::size_t>(std::count_if(
+      causes.begin(), causes.end(), [](const Cause& cause) { return cause.stage == kDrawing; }));
 }
 
 }  // namespace plumbline

@@ -84,6 +84,9 @@ ExitCode run(const InfoArguments& arguments) {
   print_repetitions(drawing);
   fmt::print("arrangement  {}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
   print_features(drawing.complex);
+  if (const Drift found = drift(drawing.input, drawing.complex); found.places > 0) {
+    fmt::print("drift        {}\n", to_text(found));
+  }
   fmt::print("signature    {}\n", signature(drawing.complex));
   if (arguments.ladder || arguments.plot) print_ladder(drawing.complex, arguments.plot);
   if (arguments.diagnose) print_diagnosis(drawing, arguments);

@@ -76,6 +76,13 @@ bool WrongCells::is_near(const Finding& finding, const Finding& other) const {
   return distance(nearest(finding.where), nearest(other.where)) <= kReach * comparison_.tolerance;
 }
 
+bool WrongCells::has_all(const Finding& finding) const {
+  if (finding.exact_cells.empty()) return has(finding);
+  const auto& cells = by_cell_[static_cast<std::size_t>(finding.kind)];
+  return std::all_of(finding.exact_cells.begin(), finding.exact_cells.end(),
+                     [&](std::size_t cell) { return cells[cell] != 0; });
+}
+
 bool WrongCells::has(const Finding& finding) const { return same(finding).has_value(); }
 
 }  // namespace plumbline::compare_steps

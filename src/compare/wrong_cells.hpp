@@ -29,6 +29,9 @@ class WrongCells {
   /// Whether there is a finding about the same: of the same kind, with a common exact cell or,
   /// for cells that only the float side has, a common segment.
   bool has(const Finding& finding) const;
+  /// Whether there are findings about all of its exact cells; for cells that only the float side
+  /// has, as `has`.
+  bool has_all(const Finding& finding) const;
   /// The index of the first such finding; none if `has` is false.
   std::optional<std::size_t> same(const Finding& finding) const;
 

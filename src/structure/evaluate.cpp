@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
-#include "geometry/text_rounding.hpp"
+#include "number/short_decimal.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/structure.hpp"
 #include "structure/joints.hpp"
+#include "structure/map_rounding.hpp"
 #include "structure/plane_map.hpp"
 #include "structure/words.hpp"
 
@@ -32,6 +34,7 @@ class Evaluation {
   }
 
   void run() {
+    const double angle = largest_angle(structure_.ledger);
     while (traversal_.next()) {
       const Struct::Item& item = traversal_.model();
       if (traversal_.map().dimension() != 2) {
@@ -40,6 +43,7 @@ class Evaluation {
                                              " has no segments in the plane; project it first");
       }
       const PlaneMap map(traversal_.map());
+      rounding_.emplace(traversal_.map(), angle);
       if (const auto* model = std::get_if<Model>(&item)) {
         add(*model, map);
       } else {
@@ -50,7 +54,7 @@ class Evaluation {
   SegmentSet segments() && { return std::move(result_); }
   /// Of what `segments` gives.
   PlacedCurves curves() const {
-    std::vector<double> rounding = rounding_;
+    std::vector<double> rounding = result_.rounding;
     rounding.resize(result_.segments.size());
     return {result_, curves_, std::move(rounding)};
   }
@@ -65,7 +69,6 @@ class Evaluation {
         const auto* model = std::get_if<Model>(&item);
         if (model == nullptr) continue;
         models += model->rows.empty() ? 1 : model->rows.size();
-        has_curves_ = has_curves_ || !model->curves.empty();
         segments += model->segments.size();
       }
     }
@@ -111,15 +114,17 @@ class Evaluation {
       NumberPoint b = map({numbers[2], numbers[3]});
       budget_.spend(words(a) + words(b));
       add(std::move(a), std::move(b), source);
-      if (has_curves_ && result_.segments.size() > before) add_rounding(numbers);
+      if (result_.segments.size() == before) continue;
+      note_rounding(
+          std::max(rounding_->of(numbers[0], numbers[1]), rounding_->of(numbers[2], numbers[3])));
     }
   }
 
-  void add_rounding(std::span<const Number, 4> numbers) {
-    const double ends =
-        std::max(text_rounding(numbers[0], numbers[1]), text_rounding(numbers[2], numbers[3]));
-    rounding_.resize(result_.segments.size());
-    rounding_.back() = ends == 0 ? 0 : ends * stretch(traversal_.map());
+  /// Of the last segment.
+  void note_rounding(double rounding) {
+    if (rounding == 0) return;
+    result_.rounding.resize(result_.segments.size());
+    result_.rounding.back() = rounding;
   }
 
   /// The curves of a model whose segments are in their places, from `first` on.
@@ -139,22 +144,10 @@ class Evaluation {
       }
       for (double* bound :
            {&curve.chord_bound, &curve.end_bounds[0], &curve.end_bounds[1], &curve.bound}) {
-        *bound *= stretch(map);
+        *bound *= rounding_->stretch();
       }
       curves_.push_back(std::move(curve));
     }
-  }
-
-  /// No point of the plane is moved further from another one by the map than so many times.
-  static double stretch(const Affine& map) {
-    double sum = 0;
-    for (const std::size_t row : {0, 1}) {
-      for (const std::size_t column : {0, 1}) {
-        const double entry = nearest_double(map(row, column));
-        sum += entry * entry;
-      }
-    }
-    return std::sqrt(sum);
   }
 
   void add(NumberPoint a, NumberPoint b, SourceId source) {
@@ -173,9 +166,14 @@ class Evaluation {
     for (std::size_t v = 0; v < model.vertex_count(); ++v) {
       images_.push_back(map({model.vertex(v)[0], model.vertex(v)[1]}));
     }
+    const auto rounding = [&](std::uint32_t v) {
+      return rounding_->of(model.vertex(v)[0], model.vertex(v)[1]);
+    };
     for (const auto& [tail, head] : known.edges) {
       budget_.spend(words(images_[tail]) + words(images_[head]));
+      const std::size_t before = result_.segments.size();
       add(images_[tail], images_[head], id);
+      if (result_.segments.size() > before) note_rounding(std::max(rounding(tail), rounding(head)));
     }
   }
 
@@ -197,20 +195,44 @@ class Evaluation {
   SegmentSet result_;
   std::unordered_map<const LarModel*, ModelEdges> edges_;
   std::vector<NumberPoint> images_;  ///< of the current LarModel's vertices
-  bool has_curves_ = false;
   std::vector<Curve> curves_;
-  std::vector<double> rounding_;  ///< where there are curves, per segment
+  std::optional<MapRounding> rounding_;  ///< of the current model
   WordBudget budget_;
   CountBudget segments_;
 };
+
+/// The segments, with what programs and curves add to the rounding of their texts: a program that
+/// prints long numbers has computed them from others as large as the drawing; the chords of a curve
+/// are known no better than the curve.
+SegmentSet with_rounding(SegmentSet set, const std::vector<Curve>& curves) {
+  if (set.rounding.empty() && curves.empty()) return set;
+  set.rounding.resize(set.segments.size());
+  for (const Curve& curve : curves) {
+    for (std::size_t i = curve.first; i < curve.first + curve.count; ++i) {
+      set.rounding[i] = std::max(set.rounding[i], curve.bound);
+    }
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < set.segments.size(); ++i) {
+    for (const Number& n : set.segments.numbers(i)) {
+      largest = std::max(largest, std::abs(nearest_double(n)));
+    }
+  }
+  for (double& rounding : set.rounding) {
+    if (rounding > 0) rounding = std::max(rounding, kDriftOfPrograms * kUnit * largest);
+  }
+  return set;
+}
 
 }  // namespace
 
 SegmentSet evaluate(const Structure& structure, const EvaluateOptions& options) {
   Evaluation evaluation(structure, options);
   evaluation.run();
-  const Joints joints = find_joints(evaluation.curves());
-  return with_joints(std::move(evaluation).segments(), joints);
+  const PlacedCurves curves = evaluation.curves();
+  const Joints joints = find_joints(curves);
+  SegmentSet result = std::move(evaluation).segments();
+  return with_joints(with_rounding(std::move(result), curves.curves), joints);
 }
 
 SegmentSet evaluate_rounded(const Structure& structure, const EvaluateOptions& options) {

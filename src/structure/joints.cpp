@@ -269,6 +269,7 @@ SegmentSet with_joints(SegmentSet set, const Joints& joints) {
   if (joints.joints.empty() && joints.refused.empty()) return set;
   SegmentList segments;
   std::vector<SourceId> sources;
+  std::vector<double> rounding;
   segments.reserve(set.segments.size() + joints.joints.size());
   sources.reserve(set.segments.size() + joints.joints.size());
   auto joint = joints.joints.begin();
@@ -289,11 +290,13 @@ SegmentSet with_joints(SegmentSet set, const Joints& joints) {
       if (next == from) continue;
       segments.push_back(std::move(from), next);
       sources.push_back(set.segment_source[s]);
+      if (!set.rounding.empty()) rounding.push_back(set.rounding[s]);
       from = std::move(next);
     }
   }
   set.segments = std::move(segments);
   set.segment_source = std::move(sources);
+  set.rounding = std::move(rounding);
   set.ledger.insert(set.ledger.end(), joints.ledger.begin(), joints.ledger.end());
   set.rejected.insert(set.rejected.end(), joints.refused.begin(), joints.refused.end());
   return set;

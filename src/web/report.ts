@@ -84,6 +84,7 @@ export interface ArrayEntry {
 export interface Report {
   verdict: "agree" | "disagree";
   engine: { name: string; version: string; title: string };
+  drift: { places: number; largest: number; findings: number };
   compared: "all" | "graph";
   float_valid: boolean;
   exact: boolean;

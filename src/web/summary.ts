@@ -19,7 +19,11 @@ const rows: [CountName, string][] = [
 export function showHead(report: Report, title: HTMLElement, verdict: HTMLElement, facts: HTMLElement): void {
   title.textContent = report.files.join(", ") || "drawing";
   const agrees = report.verdict === "agree";
-  verdict.textContent = agrees ? "Agree" : `Disagree: ${plural(report.findings.length, "finding")}`;
+  const findings = plural(report.findings.length, "finding");
+  const own = report.drift.findings;
+  if (agrees) verdict.textContent = "Agree";
+  else if (own === report.findings.length) verdict.textContent = `Agree but for the file's own drift: ${findings}`;
+  else verdict.textContent = `Disagree: ${findings}${own > 0 ? `, ${own} of them the file's own drift` : ""}`;
   verdict.className = agrees ? "agree" : "disagree";
   const parts = [answerTitle(report)];
   if (report.compared === "graph") parts.push("vertices and edges alone are compared: the result has no faces");

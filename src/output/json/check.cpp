@@ -26,18 +26,22 @@ auto counts(const Counts& counts) {
 
 auto summary(const Check& check) {
   const Comparison& c = check.comparison;
-  return members(member("verdict", c.agree() ? "agree" : "disagree"),
-                 member("engine", engine(check.answer)), member("float_valid", c.float_valid),
-                 member("exact", check.input.ledger.empty()), member("radius", check.answer.radius),
-                 member("tolerance", c.tolerance),
-                 member("largest_displacement", c.largest_displacement),
-                 member("counts", object(member("exact", counts(c.exact_counts)),
-                                         member("doubles", counts(check.conversion.float_counts)),
-                                         member("float", counts(c.float_counts)))),
-                 member("compared", c.compared == Compared::All ? "all" : "graph"),
-                 member("matched", object(member("vertices", c.matched_vertices),
-                                          member("edges", c.matched_edges),
-                                          member("faces", c.matched_faces))));
+  return members(
+      member("verdict", c.agree() ? "agree" : "disagree"),
+      member("drift",
+             object(member("places", check.drift.places), member("largest", check.drift.largest),
+                    member("bound", check.drift.bound), member("complete", check.drift.is_complete),
+                    member("findings", check.own_findings()))),
+      member("engine", engine(check.answer)), member("float_valid", c.float_valid),
+      member("exact", check.input.ledger.empty()), member("radius", check.answer.radius),
+      member("tolerance", c.tolerance), member("largest_displacement", c.largest_displacement),
+      member("counts", object(member("exact", counts(c.exact_counts)),
+                              member("doubles", counts(check.conversion.float_counts)),
+                              member("float", counts(c.float_counts)))),
+      member("compared", c.compared == Compared::All ? "all" : "graph"),
+      member("matched",
+             object(member("vertices", c.matched_vertices), member("edges", c.matched_edges),
+                    member("faces", c.matched_faces))));
 }
 
 auto cause(const Cause& c) {

@@ -19,7 +19,7 @@ constexpr const char* kPolicy =
 
 std::string title(const Check& check) {
   const std::string file = check.input.files.empty() ? "drawing" : check.input.files[0];
-  return file + ": " + verdict(check.comparison);
+  return file + ": " + verdict(check);
 }
 
 }  // namespace

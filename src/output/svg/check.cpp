@@ -116,7 +116,7 @@ std::string legend(const Layout& where, const Check& check) {
 
 std::string header(const Check& check, const Layout& where) {
   const Comparison& c = check.comparison;
-  std::string words = sheet::titled(check.input, verdict(c));
+  std::string words = sheet::titled(check.input, verdict(check));
   if (!c.float_valid) words += "; the float result is not a valid complex";
   const std::string colour = c.agree() ? svg::kInk : svg::kMark;
   return svg::text({sheet::kMargin, 40}, 24, " font-weight=\"bold\" fill=\"" + colour + "\"",

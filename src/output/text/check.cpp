@@ -70,10 +70,11 @@ void append_conversion(std::string& text, const Comparison& conversion) {
 
 /// Where the stage stands: what happens before the engine, its stages, the engine as a whole.
 std::size_t place_of(const std::string& stage, const Answer& answer) {
-  if (stage == kParse) return 0;
-  if (stage == kTransform) return 1;
+  if (stage == kDrawing) return 0;
+  if (stage == kParse) return 1;
+  if (stage == kTransform) return 2;
   const auto found = std::find(answer.stages.begin(), answer.stages.end(), stage);
-  return 2 + static_cast<std::size_t>(found - answer.stages.begin());
+  return 3 + static_cast<std::size_t>(found - answer.stages.begin());
 }
 
 /// One row per stage and rule, in their order.
@@ -166,7 +167,7 @@ void append_finding(std::string& text, const Check& check, std::size_t i) {
 
 std::string to_text(const Check& check, std::size_t limit) {
   const Comparison& c = check.comparison;
-  std::string text = verdict(c) + '\n';
+  std::string text = verdict(check) + '\n';
   append_cell_counts(text, check);
   if (check.answer.radius) text += fmt::format("radius {}, ", short_number(*check.answer.radius));
   text += fmt::format("tolerance {}, largest displacement {}\n", short_number(c.tolerance),
@@ -174,6 +175,7 @@ std::string to_text(const Check& check, std::size_t limit) {
   if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
   append_input(text, check.input);
   append_ledger(text, check.input.ledger);
+  if (check.drift.places > 0) text += to_text(check.drift) + '\n';
   append_conversion(text, check.conversion);
   if (c.agree()) return text + advice_text(check, kShownSteps);
   append_causes(text, check);

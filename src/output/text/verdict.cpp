@@ -8,11 +8,17 @@
 
 namespace plumbline {
 
-std::string verdict(const Comparison& comparison) {
-  const std::size_t count = comparison.findings.size();
-  std::string text = count == 0 ? "agree" : fmt::format("disagree: {} finding", count);
-  if (count > 1) text += 's';
-  if (comparison.compared == Compared::Graph) text += " (vertices and edges alone: no faces)";
+std::string verdict(const Check& check) {
+  const std::size_t count = check.comparison.findings.size(), own = check.own_findings();
+  const std::string findings = fmt::format("{} finding{}", count, count == 1 ? "" : "s");
+  std::string text = "agree";
+  if (count > 0 && own == count) {
+    text = "agree but for the file's own drift: " + findings;
+  } else if (count > 0) {
+    text = "disagree: " + findings;
+    if (own > 0) text += fmt::format(", {} of them the file's own drift", own);
+  }
+  if (check.comparison.compared == Compared::Graph) text += " (vertices and edges alone: no faces)";
   return text;
 }
 

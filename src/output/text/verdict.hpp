@@ -7,8 +7,9 @@
 
 namespace plumbline {
 
-/// "agree", or "disagree: 3 findings"; also where only the graph is compared.
-std::string verdict(const Comparison& comparison);
+/// "agree", "disagree: 3 findings, 1 of them the file's own drift", or, where all are, "agree but
+/// for the file's own drift: 3 findings"; also where only the graph is compared.
+std::string verdict(const Check& check);
 
 /// A row of the table of counts.
 struct CountRow {

@@ -1757,14 +1757,16 @@ face"&&cell2>0&&complex.cyclesOf(cell2).forEach(byHalfedges)}function connectPri
 addEventListener("afterprint",()=>prepare(!1)),print.addEventListener("change",()=>prepare(print.matches)),matchMedia("(\
 prefers-color-scheme: dark)").addEventListener("change",()=>prepare(print.matches))}var rows=[["vertices","vertices"],["edges","edges"],["faces","faces"],["holes","holes"],["depth","nesting depth"],["comp\
 onents","components"],["antennas","antennas"],["isolated_vertices","isolated vertices"]];function showHead(report,title,verdict,facts){
-title.textContent=report.files.join(", ")||"drawing";let agrees=report.verdict==="agree";verdict.textContent=agrees?"Agr\
-ee":`Disagree: ${plural(report.findings.length,"finding")}`,verdict.className=agrees?"agree":"disagree";let parts=[answerTitle(
-report)];report.compared==="graph"&&parts.push("vertices and edges alone are compared: the result has no faces"),report.
-radius!==null&&parts.push(`radius ${number(report.radius)}`),report.tolerance!==report.radius&&parts.push(`tolerance ${number(
-report.tolerance)}`),report.right_radii&&parts.push(`right for radii from ${number(report.right_radii[0])} to ${number(report.
-right_radii[1])}`),facts.textContent=parts.join(" \xB7 ")}var namesOfGraph=["vertices","edges","components"],countsOf=(report,name)=>report.
-counts[name==="authored"?"exact":name];function totalArea(drawing,name){return drawing.complexes[name].area.reduce((sum,area2)=>sum+
-area2,0)}function showAnswers(drawing,table2){let{report}=drawing,head=element("tr",{},element("td"));for(let name of complexNames)
+title.textContent=report.files.join(", ")||"drawing";let agrees=report.verdict==="agree",findings=plural(report.findings.
+length,"finding"),own=report.drift.findings;agrees?verdict.textContent="Agree":own===report.findings.length?verdict.textContent=
+`Agree but for the file's own drift: ${findings}`:verdict.textContent=`Disagree: ${findings}${own>0?`, ${own} of them th\
+e file's own drift`:""}`,verdict.className=agrees?"agree":"disagree";let parts=[answerTitle(report)];report.compared==="\
+graph"&&parts.push("vertices and edges alone are compared: the result has no faces"),report.radius!==null&&parts.push(`r\
+adius ${number(report.radius)}`),report.tolerance!==report.radius&&parts.push(`tolerance ${number(report.tolerance)}`),report.
+right_radii&&parts.push(`right for radii from ${number(report.right_radii[0])} to ${number(report.right_radii[1])}`),facts.
+textContent=parts.join(" \xB7 ")}var namesOfGraph=["vertices","edges","components"],countsOf=(report,name)=>report.counts[name===
+"authored"?"exact":name];function totalArea(drawing,name){return drawing.complexes[name].area.reduce((sum,area2)=>sum+area2,
+0)}function showAnswers(drawing,table2){let{report}=drawing,head=element("tr",{},element("td"));for(let name of complexNames)
 head.append(element("th",{scope:"col"},element("span",{class:`swatch ${name}`}),complexTitle[name]));let body=element("t\
 body"),addRow=(title,texts,isOfGraph=!1)=>{report.compared==="graph"&&!isOfGraph&&(texts[texts.length-1]="\u2013");let row2=element(
 "tr",{},element("th",{scope:"row"},title));texts.forEach((text,i)=>row2.append(element("td",{class:i>0&&text!==texts[0]?

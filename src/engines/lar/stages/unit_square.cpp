@@ -41,6 +41,9 @@ SegmentSet to_unit_square(const SegmentSet& input) {
   for (std::size_t i = 0; i < input.segments.size(); ++i) {
     const Segment& segment = input.segments[i];
     result.add({mapped(segment.a), mapped(segment.b)}, input.segment_source[i]);
+    if (input.rounding.empty()) continue;
+    result.rounding.resize(result.segments.size());
+    result.rounding.back() = input.rounding[i] / nearest_double(side);
   }
   for (std::size_t i = 0; i < input.points.size(); ++i) {
     result.add_point(mapped(input.points[i]), input.point_source[i]);
