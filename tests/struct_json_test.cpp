@@ -64,7 +64,7 @@ TEST_CASE("quarter turns in radians and in degrees are exact, others are in the 
   CHECK(set.ledger[0].bound == "1e-15 rad");
   const auto turned = evaluate(read_text(with_body(R"({"op": "r", "degrees": 30}, {"ref": "M"})")));
   REQUIRE(turned.ledger.size() == 1);
-  CHECK(turned.ledger[0].what == "r(30) degrees");
+  CHECK(turned.ledger[0].what == "rotation by 30 degrees");
   const auto [a, b] = turned.segments[0];
   CHECK(b.x * b.x + b.y * b.y == 1);
 }

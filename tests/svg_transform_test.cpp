@@ -96,10 +96,10 @@ TEST_CASE("an angle without rational sine and cosine is replaced, which the ledg
   const auto set = drawn("translate(1) rotate(30)skewX(10)");
   REQUIRE(set.ledger.size() == 2);
   CHECK(to_text(set.ledger[0].source, set.files) == "a.svg:1:6 g #g");
-  CHECK(set.ledger[0].what == "rotate(30)");
-  CHECK(set.ledger[0].bound == "1e-15 rad");
-  CHECK(set.ledger[1].what == "skewX(10)");
-  CHECK(set.ledger[1].bound == "1e-15 (tangent)");
+  CHECK(set.ledger[0].what == "skewX(10)");
+  CHECK(set.ledger[0].bound == "1e-15 (tangent)");
+  CHECK(set.ledger[1].what == "rotation by 30 degrees");
+  CHECK(set.ledger[1].bound == "1e-15 rad");
 }
 
 TEST_CASE("a rotation about a point keeps lengths exactly and that point in place") {

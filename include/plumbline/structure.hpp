@@ -17,10 +17,19 @@ using StructId = Index<struct StructTag>;
 /// Longest path that a Source holds, in bytes.
 inline constexpr std::size_t kMaxPathText = 1000;
 
-/// LAR's Struct: an ordered body of models, affine maps and sub-structures. A map applies to all
-/// that follows it in the same body.
+/// A rotation of the plane about the origin, from +x towards +y, that is not replaced yet: angles
+/// are added along the way to a model, through similarities, and only their sum is replaced.
+struct Turn {
+  Rational degrees;
+  Source source = {};  ///< what the ledger names where it is replaced
+
+  friend bool operator==(const Turn&, const Turn&) = default;
+};
+
+/// LAR's Struct: an ordered body of models, maps and sub-structures. A map applies to all that
+/// follows it in the same body.
 struct Struct {
-  using Item = std::variant<Affine, Model, LarModel, StructId>;
+  using Item = std::variant<Affine, Turn, Model, LarModel, StructId>;
 
   std::string name;
   std::string category;
@@ -28,6 +37,14 @@ struct Struct {
 
   friend bool operator==(const Struct&, const Struct&) = default;
 };
+
+/// Whether an item is a map: an Affine or a Turn.
+inline bool is_map(const Struct::Item& item) {
+  return std::holds_alternative<Affine>(item) || std::holds_alternative<Turn>(item);
+}
+
+/// The rotation about the origin as an item: an Affine by a multiple of 90 degrees, else a Turn.
+Struct::Item rotation_item(const Rational& degrees, Source source);
 
 /// A hierarchy of Structs, each stored once and referred to by index, with what its reader refused
 /// and replaced.
@@ -37,7 +54,8 @@ struct Structure {
   StructId root;
   std::vector<Rejected> rejected;
   std::vector<Replacement> ledger;
-  bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG
+  double angle_bound = kAngleBound;  ///< of what stands for rotations (`rotation`)
+  bool y_up = false;                 ///< whether y runs upwards, in pictures; it does not in SVG
 
   friend bool operator==(const Structure&, const Structure&) = default;
 };
@@ -56,7 +74,9 @@ std::uint64_t instance_count(const Structure& structure);
 inline constexpr std::size_t kMaxMapBits = std::size_t{1} << 17U;
 
 /// The models of a structure one by one, each as often as it is referred to, with the product of
-/// the maps above it: `for (Traversal t(structure); t.next();)`. Nothing is stored but the way from
+/// the maps above it: `for (Traversal t(structure); t.next();)`. Angles of Turns are added before
+/// the sum is replaced, as far as what is between them is a translation, a scaling by one factor or
+/// a reflection; other maps end a sum. Nothing is stored but the way from
 /// the root. No recursion: depth is limited by memory only. References to Structs without models
 /// are passed over. Source: larstruct 2015, 4.1.
 class Traversal {
@@ -78,6 +98,9 @@ class Traversal {
   /// The names of the Structs above the current model, outermost first, joined by '/'; the root's
   /// and empty ones left out; a path of more than kMaxPathText characters ends in "/...".
   const std::string& path() const;
+  /// The rotations that were replaced so far: each sum of angles that is no multiple of 90, with
+  /// the first Turn that completed it and how many did.
+  std::vector<Replacement> replaced() const;
 
  private:
   class Walk;
@@ -97,6 +120,9 @@ struct EvaluateOptions {
   std::size_t max_words = kMaxEvaluatedWords;
   std::size_t max_segments = kAnyNumber;
 };
+
+/// What `Traversal::replaced` says after the last model. Throws: as Traversal.
+std::vector<Replacement> replaced_rotations(const Structure& structure);
 
 /// The segments of all models of a structure in the plane, in traversal order, each model with a
 /// Source of its own whose path is that of the Traversal. A LarModel gives its `edges`. **Exact**.

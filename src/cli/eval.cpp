@@ -63,12 +63,14 @@ ExitCode run(const EvalArguments& arguments) {
   SegmentSet report;  // nothing but what was refused and replaced
   std::swap(report.files, structure.files);
   std::swap(report.rejected, structure.rejected);
-  std::swap(report.ledger, structure.ledger);
+  report.ledger = structure.ledger;
   LarModel model = struct_to_lar(
       structure, {arguments.decimals, arguments.merge_cells, arguments.reading.max_segments});
+  for (const Replacement& item : replaced_rotations(structure)) report.ledger.push_back(item);
   if (arguments.boundary) {
     model = boundary_of_all(model);
     structure = structure_of(model, structure.y_up);
+    structure.ledger = report.ledger;
   }
   print_model(model);
   fmt::print("{} rejected\n{}{}\n", report.rejected.size(), rejected_lines(report),
@@ -88,7 +90,6 @@ ExitCode run(const EvalArguments& arguments) {
   } else if (arguments.as_structure) {
     std::swap(report.files, structure.files);
     std::swap(report.rejected, structure.rejected);
-    std::swap(report.ledger, structure.ledger);
     write_file(*arguments.output, to_json(structure));
   } else {
     write_file(*arguments.output, to_json(model));

@@ -13,8 +13,9 @@ namespace {
 class StructJsonReader {
  public:
   StructJsonReader(ByteStream& bytes, const ReadOptions& options)
-      : tree_(bytes), numbers_(options.shortest_decimals), angle_bound_(options.angle_bound) {
+      : tree_(bytes), numbers_(options.shortest_decimals) {
     structure_.files = {bytes.file()};
+    structure_.angle_bound = options.angle_bound;
   }
 
   Structure read() && {
@@ -94,7 +95,7 @@ class StructJsonReader {
       expect_members(item, {"ref"});
       to.body.emplace_back(referred(name));
     } else if (item.find("op")) {
-      to.body.emplace_back(operation(item));
+      to.body.push_back(operation(item));
     } else if (const JsonValue rows = item.find("mat")) {
       expect_members(item, {"mat"});
       to.body.emplace_back(matrix(rows));
@@ -125,13 +126,14 @@ class StructJsonReader {
 
   // Maps.
 
-  Affine operation(const JsonValue& item) {
+  Struct::Item operation(const JsonValue& item) {
     expect_members(item, {"op", "args", "degrees"});
     const std::string op = string_of(item.find("op"));
     const JsonValue args = item.find("args");
     const JsonValue degrees = item.find("degrees");
     if (op == "r" && degrees && !args) {
-      return turned(item, rotation_by(degrees), degrees, " degrees");
+      return rotation_item(number_of(degrees, numbers_).rational(),
+                           source_of(item, "r", structure_.files));
     }
     if (!args || degrees) item.fail("an operation needs \"args\", or r \"degrees\"");
     const std::vector<Rational> values = rationals_of(args, numbers_);
@@ -142,24 +144,21 @@ class StructJsonReader {
     if (op == "t") return translation(values);
     if (op == "s") return scaling(values);
     if (op != "r") item.find("op").fail("not one of the operations t, s and r");
-    if (values.size() == 1) return turned(item, rotation_in_radians(values[0], angle_bound_), args);
+    if (values.size() == 1)
+      return turned(item, rotation_in_radians(values[0], structure_.angle_bound), args);
     if (values.size() != 3) args.fail("a rotation has one number or three");
-    return turned(item, rotation_in_space({values[0], values[1], values[2]}, angle_bound_), args);
-  }
-
-  ApproximateAffine rotation_by(const JsonValue& degrees) {
-    return rotation(number_of(degrees, numbers_).rational(), angle_bound_);
+    return turned(
+        item, rotation_in_space({values[0], values[1], values[2]}, structure_.angle_bound), args);
   }
 
   /// The map, with an entry in the ledger where it stands for another.
-  Affine turned(const JsonValue& item, ApproximateAffine rotation, const JsonValue& angle,
-                const char* unit = "") {
+  Affine turned(const JsonValue& item, ApproximateAffine rotation, const JsonValue& angle) {
     if (sgn(rotation.bound) != 0) {
       std::string what = angle.is(JsonType::Array) ? std::string() : valid_line(angle.text());
       for (JsonValue v = angle.first(); v; v = v.next()) {
         what += (what.empty() ? "" : ", ") + valid_line(v.text());
       }
-      structure_.ledger.push_back({source_of(item, "r", structure_.files), "r(" + what + ")" + unit,
+      structure_.ledger.push_back({source_of(item, "r", structure_.files), "r(" + what + ")",
                                    shortest_text(nearest_double(rotation.bound)) + " rad"});
     }
     return std::move(rotation.map);
@@ -222,7 +221,6 @@ class StructJsonReader {
 
   JsonTree tree_;
   Numbers numbers_;
-  double angle_bound_;
   Structure structure_;
   std::uint64_t grid_numbers_ = 0;
   std::map<std::string, StructId, std::less<>> ids_;

@@ -6,6 +6,7 @@
 #include "plumbline/error.hpp"
 #include "plumbline/structure.hpp"
 #include "structure/check.hpp"
+#include "structure/placement.hpp"
 #include "structure/words.hpp"
 
 namespace plumbline {
@@ -24,22 +25,20 @@ void extend(MaybeBox& box, std::span<const Number> p) {
   }
 }
 
-/// The part of a map that does not move the origin.
-Affine linear_part(Affine map) {
-  for (std::size_t i = 0; i < map.dimension(); ++i) map(i, map.dimension()) = Number();
-  return map;
-}
-
 /// Boxes of Structs under linear maps: that of a Struct is put together from those of the Structs
 /// in it, each under the linear part of the product of the maps above it, moved by its rest.
 class Boxes {
  public:
   Boxes(const Structure& structure, const Checked& checked)
-      : structure_(structure), checked_(checked), dimension_(checked.dimension) {}
+      : structure_(structure),
+        checked_(checked),
+        dimension_(checked.dimension),
+        rotations_(structure.angle_bound) {}
 
   MaybeBox run() {
-    const auto root = known_.try_emplace({structure_.root, entries(Affine(dimension_))}).first;
-    frames_.push_back({structure_.root, 0, Affine(dimension_), {}, &root->second});
+    const Placement identity(dimension_);
+    const auto root = known_.try_emplace({structure_.root, identity.key()}).first;
+    frames_.push_back({structure_.root, 0, identity, {}, &root->second});
     while (!frames_.empty()) {
       Frame& frame = frames_.back();
       const auto& body = structure_.structs[frame.id].body;
@@ -59,14 +58,10 @@ class Boxes {
   struct Frame {
     StructId id;
     std::size_t next;  ///< index into the body
-    Affine map;        ///< of what follows
+    Placement map;     ///< of what follows
     MaybeBox box;      ///< of what came before
     MaybeBox* result;
   };
-
-  static std::vector<Number> entries(const Affine& map) {
-    return {map.entries().begin(), map.entries().end()};
-  }
 
   /// Takes the frame's next item, unless it has to wait for a Struct that is not known yet.
   void look_at(const Struct::Item& item, Frame& frame) {
@@ -75,17 +70,17 @@ class Boxes {
         ++frame.next;
         return;
       }
-      Affine linear = linear_part(frame.map);
-      const auto [place, is_new] = known_.try_emplace({*id, entries(linear)});
+      Placement linear = frame.map.linear_part();
+      const auto [place, is_new] = known_.try_emplace({*id, linear.key()});
       if (is_new) {
-        budget_.spend(2 * checked_words(linear));  // here and on the way
+        budget_.spend(2 * linear.checked_words());  // here and on the way
         frames_.push_back({*id, 0, std::move(linear), {}, &place->second});
         return;  // comes back to this item
       }
       if (place->second) add(*place->second, frame);
-    } else if (const auto* map = std::get_if<Affine>(&item)) {
-      frame.map = compose(frame.map, *map);
-      checked_words(frame.map);
+    } else if (is_map(item)) {
+      frame.map.append(item, rotations_);
+      frame.map.checked_words();
     } else if (const auto* model = std::get_if<Model>(&item)) {
       for (std::size_t i = 0; i < model->segments.size(); ++i) {
         add(model->segments.numbers(i).first<2>(), frame);
@@ -100,15 +95,16 @@ class Boxes {
 
   void add(std::span<const Number> vertex, Frame& frame) {
     image_.resize(dimension_);
-    apply(frame.map, vertex, image_);
+    apply(frame.map.map(rotations_), vertex, image_);
     extend(frame.box, image_);
   }
 
   /// A box that lacks only the map's translation.
   void add(Box box, Frame& frame) {
+    const Affine& map = frame.map.map(rotations_);
     for (std::size_t i = 0; i < dimension_; ++i) {
-      box.low[i] = box.low[i] + frame.map(i, dimension_);
-      box.high[i] = box.high[i] + frame.map(i, dimension_);
+      box.low[i] = box.low[i] + map(i, dimension_);
+      box.high[i] = box.high[i] + map(i, dimension_);
     }
     extend(frame.box, box.low);
     extend(frame.box, box.high);
@@ -117,6 +113,7 @@ class Boxes {
   const Structure& structure_;
   const Checked& checked_;
   std::size_t dimension_;
+  Rotations rotations_;
   WordBudget budget_{kMaxBoxWords};
   std::map<Key, MaybeBox> known_;
   std::vector<Frame> frames_;

@@ -81,6 +81,8 @@ class Check {
       if (is_done) count(holder, result_.instances[*id]);  // else when it is left
     } else if (const auto* map = std::get_if<Affine>(&item)) {
       agree("map", map->dimension(), holder, index);
+    } else if (std::holds_alternative<Turn>(item)) {
+      agree("rotation", 2, holder, index);
     } else if (const auto* model = std::get_if<Model>(&item)) {
       check_rows(*model);
       agree("model", 2, holder, index);

@@ -50,6 +50,9 @@ class Evaluation {
         add(std::get<LarModel>(item), map);
       }
     }
+    for (Replacement& replaced : traversal_.replaced()) {
+      result_.ledger.push_back(std::move(replaced));
+    }
   }
   SegmentSet segments() && { return std::move(result_); }
   /// Of what `segments` gives.

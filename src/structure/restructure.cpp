@@ -4,6 +4,7 @@
 
 #include "plumbline/structure.hpp"
 #include "structure/check.hpp"
+#include "structure/replaced_rotations.hpp"
 
 namespace plumbline {
 namespace {
@@ -48,11 +49,28 @@ Structure pruned(Structure structure) {
 }  // namespace
 
 Structure embed(const Structure& structure, int k) {
-  return changed(structure, [k](Struct::Item item) -> Struct::Item {
+  Structure result = changed(structure, [&structure, k](Struct::Item item) -> Struct::Item {
+    if (const auto* turn = std::get_if<Turn>(&item)) {
+      return embed(rotation(turn->degrees, structure.angle_bound).map, k);
+    }
     if (const auto* map = std::get_if<Affine>(&item)) return embed(*map, k);
     if (const auto* model = std::get_if<Model>(&item)) return embed(lar_model(*model), k);
     return embed(std::get<LarModel>(item), k);
   });
+  ReplacedRotations replaced;
+  Rotations rotations(structure.angle_bound);
+  for (const Struct& s : structure.structs) {
+    for (const Struct::Item& item : s.body) {
+      if (!std::holds_alternative<Turn>(item)) continue;
+      Placement alone(2);
+      alone.append(item, rotations);
+      replaced.add(alone, rotations);
+    }
+  }
+  for (Replacement& entry : replaced.ledger(structure.angle_bound)) {
+    result.ledger.push_back(std::move(entry));
+  }
+  return result;
 }
 
 Structure filter(const Structure& structure, const std::string& category) {
@@ -64,7 +82,7 @@ Structure filter(const Structure& structure, const std::string& category) {
     const Struct& whole = structure.structs[s];
     Struct bare{whole.name, whole.category, {}};
     for (const Struct::Item& item : whole.body) {
-      if (std::holds_alternative<Affine>(item)) bare.body.push_back(item);
+      if (is_map(item)) bare.body.push_back(item);
       const auto* id = std::get_if<StructId>(&item);
       if (id == nullptr) continue;
       const bool keeps = *id < count && structure.structs[*id].category != category;

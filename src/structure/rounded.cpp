@@ -1,10 +1,12 @@
 // What a reader that parses numbers as doubles would have.
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 
 #include "plumbline/error.hpp"
-#include "plumbline/structure.hpp"
+#include "structure/placement.hpp"
 
 namespace plumbline {
 namespace {
@@ -47,10 +49,38 @@ LarModel rounded(LarModel model) {
 
 StructId rounded(StructId id) { return id; }
 
+Turn rounded(Turn turn) { return turn; }  // there is none after `without_turns`
+
+bool is_turn(const Struct::Item& item) { return std::holds_alternative<Turn>(item); }
+
+/// The body with successive maps made one where there are rotations among them.
+std::vector<Struct::Item> without_turns(std::vector<Struct::Item> body, Rotations& rotations) {
+  std::vector<Struct::Item> result, run;
+  const auto end_run = [&] {
+    if (std::any_of(run.begin(), run.end(), is_turn)) {
+      Placement product(2);
+      for (const Struct::Item& map : run) product.append(map, rotations);
+      run = {product.map(rotations)};
+    }
+    std::move(run.begin(), run.end(), std::back_inserter(result));
+    run.clear();
+  };
+  for (Struct::Item& item : body) {
+    if (!is_map(item)) end_run();
+    (is_map(item) ? run : result).push_back(std::move(item));
+  }
+  end_run();
+  return result;
+}
+
 }  // namespace
 
 Structure rounded(Structure structure) {
+  Rotations rotations(structure.angle_bound);
   for (Struct& s : structure.structs) {
+    if (std::any_of(s.body.begin(), s.body.end(), is_turn)) {
+      s.body = without_turns(std::move(s.body), rotations);
+    }
     for (Struct::Item& item : s.body) {
       item =
           std::visit([](auto& value) -> Struct::Item { return rounded(std::move(value)); }, item);

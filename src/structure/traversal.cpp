@@ -7,6 +7,8 @@
 #include "plumbline/structure.hpp"
 #include "structure/check.hpp"
 #include "structure/name_path.hpp"
+#include "structure/placement.hpp"
+#include "structure/replaced_rotations.hpp"
 #include "structure/words.hpp"
 
 namespace plumbline {
@@ -17,7 +19,8 @@ class Traversal::Walk {
   Walk(const Structure& structure, Checked checked)
       : structure_(structure),
         instances_(std::move(checked.instances)),
-        identity_(std::make_shared<const Affine>(std::max<std::size_t>(checked.dimension, 1))) {
+        identity_(std::make_shared<Placement>(std::max<std::size_t>(checked.dimension, 1))),
+        rotations_(structure.angle_bound) {
     if (instances_[structure.root] > 0) frames_.push_back({structure.root, 0, identity_, 0});
   }
 
@@ -30,12 +33,14 @@ class Traversal::Walk {
         continue;
       }
       const Struct::Item& item = body[frame.next++];
-      if (const auto* map = std::get_if<Affine>(&item)) {
-        compose_into(frame, *map);
+      if (is_map(item)) {
+        append(item, frame);
       } else if (const auto* id = std::get_if<StructId>(&item)) {
         enter(*id, frame.map);
       } else {
         model_ = &item;
+        map_ = &frame.map->map(rotations_);
+        replaced_.add(*frame.map, rotations_);
         return true;
       }
     }
@@ -44,11 +49,12 @@ class Traversal::Walk {
 
   const Struct::Item& model() const { return *model_; }
   StructId holder() const { return frames_.back().id; }
-  const Affine& map() const { return *frames_.back().map; }
+  const Affine& map() const { return *map_; }
   const std::string& path() const { return path_.text(); }
+  std::vector<Replacement> replaced() const { return replaced_.ledger(structure_.angle_bound); }
 
  private:
-  using SharedMap = std::shared_ptr<const Affine>;  ///< shared down the stack
+  using SharedMap = std::shared_ptr<Placement>;  ///< shared down the stack
 
   struct Frame {
     StructId id;
@@ -69,15 +75,16 @@ class Traversal::Walk {
     if (!frames_.empty()) path_.pop();
   }
 
-  void compose_into(Frame& frame, const Affine& inner) {
-    Affine map = frame.map == identity_ ? inner : compose(*frame.map, inner);
+  void append(const Struct::Item& inner, Frame& frame) {
+    Placement map = *frame.map;
+    map.append(inner, rotations_);
     live_words_ -= frame.words;
-    frame.words = checked_words(map);
+    frame.words = map.checked_words();
     live_words_ += frame.words;
     if (live_words_ > kMaxEvaluatedWords) {
       throw Error(ErrorCode::Limit, "nested maps take too much memory");
     }
-    frame.map = std::make_shared<const Affine>(std::move(map));
+    frame.map = std::make_shared<Placement>(std::move(map));
   }
 
   const Structure& structure_;
@@ -85,6 +92,9 @@ class Traversal::Walk {
   SharedMap identity_;
   std::vector<Frame> frames_;
   const Struct::Item* model_ = nullptr;
+  const Affine* map_ = nullptr;
+  Rotations rotations_;
+  ReplacedRotations replaced_;
   std::size_t live_words_ = 0;  ///< of all maps on the way
   NamePath path_;
 };
@@ -111,5 +121,13 @@ const Struct::Item& Traversal::model() const { return walk_->model(); }
 StructId Traversal::holder() const { return walk_->holder(); }
 const Affine& Traversal::map() const { return walk_->map(); }
 const std::string& Traversal::path() const { return walk_->path(); }
+std::vector<Replacement> Traversal::replaced() const { return walk_->replaced(); }
+
+std::vector<Replacement> replaced_rotations(const Structure& structure) {
+  Traversal traversal(structure);
+  while (traversal.next()) {
+  }
+  return traversal.replaced();
+}
 
 }  // namespace plumbline

@@ -86,6 +86,10 @@ struct Items {
   }
   Part operator()(const StructId& id) const { return part_of(member("ref", name(id))); }
   Part operator()(const Affine& map) const { return part_of(map_member(map)); }
+  Part operator()(const Turn& turn) const {
+    return part_of(members(member("op", "r"), member("degrees", decimal(turn.degrees)),
+                           source_members(turn.source)));
+  }
   Part operator()(const Model& model) const { return part_of(lines_members(model)); }
   Part operator()(const LarModel& model) const {
     return part_of(members(source_members(model.source), model_members(model)));

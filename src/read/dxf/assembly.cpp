@@ -100,21 +100,25 @@ class Assembly {
   /// The copies of a block in their places.
   StructId placed(const Insert& insert, const Point& base, StructId block) {
     const Affine local = compose(insert.scale, translation(-base.x, -base.y));
-    if (insert.columns == 1 && insert.rows == 1) {
-      return mapped(compose(insert.placement, local), block);
-    }
+    if (insert.columns == 1 && insert.rows == 1) return placed(insert, local, block);
     spend(insert.columns + insert.rows);
-    const StructId cell = mapped(local, block);
+    const StructId cell = mapped({local}, block);
     const StructId row = repeated(cell, insert.columns, translation(insert.column_distance, 0));
-    return mapped(insert.placement,
+    return placed(insert, Affine(),
                   repeated(row, insert.rows, translation(0, insert.row_distance)));
   }
 
-  StructId mapped(const Affine& map, StructId id) {
-    if (map == Affine{}) return id;
-    Struct made;
-    made.body.reserve(2);
-    made.body.emplace_back(map);
+  /// First `local`, then rotation and place of the insert; in one where that is exact.
+  StructId placed(const Insert& insert, const Affine& local, StructId id) {
+    const auto* exact = std::get_if<Affine>(&insert.turn);
+    if (exact == nullptr) return mapped({insert.place, insert.turn, local}, id);
+    return mapped({compose(insert.place, compose(*exact, local))}, id);
+  }
+
+  StructId mapped(std::vector<Struct::Item> maps, StructId id) {
+    std::erase(maps, Struct::Item(Affine()));
+    if (maps.empty()) return id;
+    Struct made{"", "", std::move(maps)};
     made.body.emplace_back(id);
     return append(std::move(made));
   }

@@ -191,9 +191,11 @@ class DxfReader {
 
 Structure read_dxf(std::string_view text, const std::string& file_name,
                    const ReadOptions& options) {
-  if (!dxf::is_binary(text)) return dxf::DxfReader(text, file_name, options).read();
-  const std::string converted = dxf::text_of_binary(text, file_name);
-  return dxf::DxfReader(converted, file_name, options).read();
+  std::string converted;
+  if (dxf::is_binary(text)) text = converted = dxf::text_of_binary(text, file_name);
+  Structure structure = dxf::DxfReader(text, file_name, options).read();
+  structure.angle_bound = options.angle_bound;
+  return structure;
 }
 
 }  // namespace plumbline

@@ -122,12 +122,9 @@ void EntityReader::finish() {
 void EntityReader::add_insert(const Entity& entity, const Source& source, std::size_t space,
                               const Layers::Layer& layer) {
   Space& in = drawing_.spaces[space];
-  std::vector<Substitution> replaced;
-  const std::string_view name = entity.text(kBlockName);
-  Reference reference{source, names_.utf8(name),
-                      insert_of(entity, names_.key(name), pen_.angle_bound, replaced), false};
   const Source at = in.placed(source, layer.name);
-  for (const Substitution& item : replaced) in.tally.replace(at, item);
+  const std::string_view name = entity.text(kBlockName);
+  Reference reference{source, names_.utf8(name), insert_of(entity, names_.key(name), at), false};
   if (has_height(entity)) in.tally.leave_out(at, kHeightLeftOut);
   const bool inherits = space != 0 && layer.name == kLayerZero;
   if (pen_.visible_only && layer.state == LayerState::Off && !inherits) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "read/dxf/names.hpp"
-
 namespace plumbline::dxf {
 namespace {
 
@@ -26,8 +24,7 @@ std::size_t copies(const Entity& entity, int code, const Rational& distance) {
 
 }  // namespace
 
-Insert insert_of(const Entity& entity, std::string block, double angle_bound,
-                 std::vector<Substitution>& replaced) {
+Insert insert_of(const Entity& entity, std::string block, const Source& source) {
   const Number zero;
   const Number one = Number::decimal(1, 0);
   Insert insert;
@@ -45,13 +42,9 @@ Insert insert_of(const Entity& entity, std::string block, double angle_bound,
                    {}};
   }
   const Point place = entity.exact_point(kPlace);
-  const ApproximateAffine turned = rotation(entity.number(kAngle, zero).rational(), angle_bound);
-  insert.placement = compose(translation(place.x, place.y), turned.map);
-  if (plane_of(entity) == Plane::Back) insert.placement = compose(scaling(-1, 1), insert.placement);
-  if (turned.bound != 0) {
-    replaced.push_back({"rotation by " + in_ascii(entity.text(kAngle)) + " degrees",
-                        nearest_double(turned.bound), "rad"});
-  }
+  insert.place = translation(place.x, place.y);
+  if (plane_of(entity) == Plane::Back) insert.place = compose(scaling(-1, 1), insert.place);
+  insert.turn = rotation_item(entity.number(kAngle, zero).rational(), source);
   return insert;
 }
 

@@ -39,6 +39,7 @@ class SvgReader {
         flattener_(options),
         options_(options) {
     structure_.files = {file_name};
+    structure_.angle_bound = options.angle_bound;
     structure_.root = StructId(0);
   }
 
@@ -204,8 +205,8 @@ class SvgReader {
     Frame frame = frame_of(element, {});
     frame.visible = visible;
     frame.viewport = frames_.back().viewport;
-    Struct child = named_struct(element);
-    if (transform) child.body.emplace_back(transform->map);
+    Struct child = named_struct(element, transform ? transform->maps.size() : 0);
+    if (transform) append_maps(element, *transform, child);
     if (name == "use") {
       frame.next = {};
       frame.target = target_of(element);
@@ -265,8 +266,8 @@ class SvgReader {
       return std::nullopt;
     }
     Struct own;  // keeps the map from what follows
-    own.body.reserve(2);
-    if (transform) own.body.emplace_back(transform->map);
+    own.body.reserve(1 + (transform ? transform->maps.size() : 0));
+    if (transform) append_maps(element, *transform, own);
     if (!model.segments.empty()) own.body.emplace_back(std::move(model));
     return append(std::move(own));
   }
@@ -295,6 +296,15 @@ class SvgReader {
     return parse_transform(attribute(element, "transform"), numbers_, options_.angle_bound);
   }
 
+  void append_maps(const pugi::xml_node& element, const SvgTransform& transform, Struct& to) {
+    for (Struct::Item map : transform.maps) {
+      if (auto* turn = std::get_if<Turn>(&map)) {
+        turn->source = source_with_path(element, path_.text());
+      }
+      to.body.push_back(std::move(map));
+    }
+  }
+
   /// Adds a Struct and a reference to it at the end of the current one.
   StructId append(Struct child) {
     const StructId id(structure_.structs.size());
@@ -303,14 +313,14 @@ class SvgReader {
     return id;
   }
 
-  static Struct named_struct(const pugi::xml_node& element) {
+  static Struct named_struct(const pugi::xml_node& element, std::size_t maps = 0) {
     const std::string_view label = attribute(element, "inkscape:label");
     Struct result;
     // Growing a body would copy its models: Affine has no noexcept move.
     constexpr std::ptrdiff_t kOwnMaps = 2;
     const auto children = element.children();
     const auto items = std::distance(children.begin(), children.end()) + kOwnMaps;
-    result.body.reserve(static_cast<std::size_t>(items));
+    result.body.reserve(static_cast<std::size_t>(items) + maps);
     result.name = label.empty() ? attribute(element, "id") : label;
     result.category = attribute(element, "inkscape:groupmode");
     return result;

@@ -13,43 +13,43 @@ constexpr std::size_t kMaxFunctions = 1000;
 
 using Arguments = std::vector<Rational>;
 
-/// A function of the list: its text and its map.
+/// A function of the list: its text and its maps.
 struct Function {
   std::string text;
-  ApproximateAffine result;
-  const char* unit = "";  ///< of the bound
+  std::vector<Struct::Item> maps;
+  Rational bound;  ///< on the tangent, of a skew
 };
 
 [[noreturn]] void malformed(std::string_view rest) {
   throw Unusable{"malformed transform", std::string(rest)};
 }
 
-ApproximateAffine exactly(Affine map) { return {std::move(map), 0}; }
+Function exactly(Affine map) { return {{}, {std::move(map)}, 0}; }
 
-ApproximateAffine rotation_about(const Arguments& a, double bound) {
-  ApproximateAffine turned = rotation(a[0], bound);
-  if (a.size() == 3) {
-    turned.map = compose(translation(a[1], a[2]), compose(turned.map, translation(-a[1], -a[2])));
-  }
-  return turned;
+Function skewed(ApproximateAffine skew) { return {{}, {std::move(skew.map)}, skew.bound}; }
+
+Function rotation_about(const Arguments& a) {
+  Struct::Item turn = rotation_item(a[0], {});
+  if (a.size() == 1) return {{}, {std::move(turn)}, 0};
+  return {{}, {translation(a[1], a[2]), std::move(turn), translation(-a[1], -a[2])}, 0};
 }
 
-/// Throws: Unusable, Error BadInput (a skew by a right angle).
-ApproximateAffine map_of(std::string_view name, const Arguments& a, const std::string& text,
-                         double bound) {
+/// Without its text. Throws: Unusable, Error BadInput (a skew by a right angle).
+Function function_of(std::string_view name, const Arguments& a, std::string_view text,
+                     double bound) {
   const std::size_t count = a.size();
   if (name == "matrix" && count == 6) return exactly({a[0], a[1], a[2], a[3], a[4], a[5]});
   if (name == "translate" && count == 1) return exactly(translation(a[0], 0));
   if (name == "translate" && count == 2) return exactly(translation(a[0], a[1]));
   if (name == "scale" && count == 1) return exactly(scaling(a[0], a[0]));
   if (name == "scale" && count == 2) return exactly(scaling(a[0], a[1]));
-  if (name == "rotate" && (count == 1 || count == 3)) return rotation_about(a, bound);
-  if (name == "skewX" && count == 1) return skew_x(a[0], bound);
-  if (name == "skewY" && count == 1) return skew_y(a[0], bound);
+  if (name == "rotate" && (count == 1 || count == 3)) return rotation_about(a);
+  if (name == "skewX" && count == 1) return skewed(skew_x(a[0], bound));
+  if (name == "skewY" && count == 1) return skewed(skew_y(a[0], bound));
   for (const char* known : {"matrix", "translate", "scale", "rotate", "skewX", "skewY"}) {
-    if (name == known) throw Unusable{"wrong number of arguments in transform", text};
+    if (name == known) throw Unusable{"wrong number of arguments in transform", std::string(text)};
   }
-  throw Unusable{"unknown function in transform", text};
+  throw Unusable{"unknown function in transform", std::string(text)};
 }
 
 Arguments take_arguments(Scanner& scanner, Numbers& numbers) {
@@ -74,22 +74,36 @@ Function take_function(Scanner& scanner, Numbers& numbers, double bound) {
   if (name.empty() || scanner.peek() != '(') malformed(scanner.rest(begin));
   scanner.advance();
   const Arguments arguments = take_arguments(scanner, numbers);
-  Function function{
-      std::string(scanner.since(begin)), {}, name == "rotate" ? " rad" : " (tangent)"};
+  const std::string text(scanner.since(begin));
   try {
-    function.result = map_of(name, arguments, function.text, bound);
+    Function function = function_of(name, arguments, text, bound);
+    function.text = text;
+    return function;
   } catch (const Error& error) {
-    throw Unusable{error.message(), function.text};
+    throw Unusable{error.message(), text};
   }
-  return function;
 }
 
-bool is_small(const Affine& map) {
-  return std::all_of(map.entries().begin(), map.entries().end(), [](const Number& entry) {
-    const Rational value = entry.rational();
-    return mpz_sizeinbase(value.get_num_mpz_t(), 2) + mpz_sizeinbase(value.get_den_mpz_t(), 2) <=
-           kMaxMapBits;
-  });
+bool is_small(const Struct::Item& item) {
+  const auto* map = std::get_if<Affine>(&item);
+  return map == nullptr ||
+         std::all_of(map->entries().begin(), map->entries().end(), [](const Number& entry) {
+           const Rational value = entry.rational();
+           return mpz_sizeinbase(value.get_num_mpz_t(), 2) +
+                      mpz_sizeinbase(value.get_den_mpz_t(), 2) <=
+                  kMaxMapBits;
+         });
+}
+
+/// Appends a map, to the last one where neither is a Turn.
+void append(std::vector<Struct::Item>& maps, Struct::Item map) {
+  auto* last = maps.empty() ? nullptr : std::get_if<Affine>(&maps.back());
+  const auto* affine = std::get_if<Affine>(&map);
+  if (last != nullptr && affine != nullptr) {
+    *last = compose(*last, *affine);
+  } else {
+    maps.push_back(std::move(map));
+  }
 }
 
 }  // namespace
@@ -100,15 +114,17 @@ SvgTransform parse_transform(std::string_view text, Numbers& numbers, double bou
   scanner.skip_blanks();
   bool comma = false;
   for (std::size_t count = 1; !scanner.at_end(); ++count) {
-    const Function function = take_function(scanner, numbers, bound);
-    transform.map = count == 1 ? function.result.map : compose(transform.map, function.result.map);
-    if (count > kMaxFunctions || !is_small(transform.map)) {
-      throw Unusable{"the product of the transform is too large", std::string(text)};
+    Function function = take_function(scanner, numbers, bound);
+    for (Struct::Item& map : function.maps) {
+      append(transform.maps, std::move(map));
+      if (count > kMaxFunctions || !is_small(transform.maps.back())) {
+        throw Unusable{"the product of the transform is too large", std::string(text)};
+      }
     }
-    if (function.result.bound != 0) {
+    if (function.bound != 0) {
       Replacement replaced;
       replaced.what = function.text;
-      replaced.bound = shortest_text(nearest_double(function.result.bound)) + function.unit;
+      replaced.bound = shortest_text(nearest_double(function.bound)) + " (tangent)";
       transform.replaced.push_back(std::move(replaced));
     }
     comma = false;  // the grammar allows any number of separators between functions
