@@ -136,17 +136,26 @@ TEST_CASE("a feature is named by its id, else a property, wherever that stands")
         segment + " #" + std::string(1'000, 'x') + "...\n");
 }
 
-TEST_CASE("features in a collection keep their own names, and geometries in a feature share one") {
+TEST_CASE("features in a collection keep their own names, geometries in one are numbered") {
   const std::string two = R"({"type": "GeometryCollection", "geometries": [)" +
                           line("[[0, 0], [1, 1]]") + "," + line("[[2, 2], [3, 3]]") + "]}";
   const std::string features = feature(two, R"("id": 1)") + ",\n" +
                                feature(line("[[4, 4], [5, 5]]"), R"("properties": null)") + ",\n" +
                                feature(line("[[6, 6], [7, 7]]"), R"("id": 3)");
   CHECK(listed(R"({"features": [)" + features + R"(], "id": 99, "type": "FeatureCollection"})") ==
-        "0 0, 1 1 | a.geojson:1:15 LineString #1\n"
-        "2 2, 3 3 | a.geojson:1:15 LineString #1\n"
+        "0 0, 1 1 | a.geojson:1:15 LineString #1/1\n"
+        "2 2, 3 3 | a.geojson:1:15 LineString #1/2\n"
         "4 4, 5 5 | a.geojson:2:1 LineString\n"
         "6 6, 7 7 | a.geojson:3:1 LineString #3\n");
+}
+
+TEST_CASE("a polygon of several is named by the feature's id and its number") {
+  const std::string polygons = R"({"type": "MultiPolygon", "coordinates": [
+      [[[0, 0], [4, 0], [4, 4], [0, 0]]], [[[9, 9], [8, 9], [9, 8], [9, 9]]]]})";
+  const auto set = evaluate(read_geojson(feature(polygons, R"("id": "lot")"), "a.geojson"));
+  REQUIRE(set.sources.size() == 2);
+  CHECK(set.sources[0].id == "lot/1");
+  CHECK(set.sources[1].id == "lot/2");
 }
 
 TEST_CASE("rings are drawn as they are; one that is not closed is listed") {

@@ -188,6 +188,31 @@ TEST_CASE("OGC SFA 1.2.1, 8.2: both orders of bytes, as bytes and as hexadecimal
   }
 }
 
+TEST_CASE("each line and each polygon of a geometry of several has a source of its own") {
+  CHECK(listed("MULTILINESTRING ((0 0, 1 1), EMPTY, (2 2, 3 3, 4 4))\nLINESTRING (5 5, 6 6)") ==
+        "0 0, 1 1 | a.wkt:1:1 MultiLineString #1\n"
+        "2 2, 3 3 | a.wkt:1:1 MultiLineString #2\n"
+        "3 3, 4 4 | a.wkt:1:1 MultiLineString #2\n"
+        "5 5, 6 6 | a.wkt:2:1 LineString\n");
+  const auto polygons =
+      evaluate(read_wkt("MULTIPOLYGON (((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2, 1 1)), "
+                        "((9 9, 8 9, 9 8, 9 9)))",
+                        "a.wkt"));
+  REQUIRE(polygons.sources.size() == 2);
+  CHECK(polygons.segment_source[5] == plumbline::SourceId(0));  // of the hole
+  CHECK(polygons.segment_source[6] == plumbline::SourceId(1));
+  // Numbers count through a collection, drawn or not, in whatever tables its parts are.
+  CHECK(listed("GEOMETRYCOLLECTION (LINESTRING (0 0, 1 1), POLYGON ((5 0, 6 0, 5 1, 5 0)), "
+               "LINESTRING (7 7), LINESTRING (2 2, 3 3))") ==
+        "0 0, 1 1 | a.wkt:1:1 LineString #1\n"
+        "2 2, 3 3 | a.wkt:1:1 LineString #4\n"
+        "5 0, 6 0 | a.wkt:1:1 Polygon #2\n"
+        "6 0, 5 1 | a.wkt:1:1 Polygon #2\n"
+        "5 1, 5 0 | a.wkt:1:1 Polygon #2\n"
+        "rejected:\n"
+        "a.wkt:1:1 LineString: line of a single point: 1 line\n");
+}
+
 TEST_CASE("WKB: parts are geometries of their own, Z and M and SRID are passed over") {
   const Wkb lines = Wkb()
                         .geometry(5)
@@ -201,7 +226,7 @@ TEST_CASE("WKB: parts are geometries of their own, Z and M and SRID are passed o
                         .point(2, 2)
                         .point(3, 3);
   CHECK(listed_wkb(hex(lines.bytes)) ==
-        "0 0, 1 1 | a.wkb:1:1 MultiLineString\n2 2, 3 3 | a.wkb:1:1 MultiLineString\n");
+        "0 0, 1 1 | a.wkb:1:1 MultiLineString #1\n2 2, 3 3 | a.wkb:1:1 MultiLineString #2\n");
   const Wkb collection = Wkb()
                              .geometry(7)
                              .number(2)

@@ -81,7 +81,9 @@ Structure read_lines(std::string_view text, const std::string& file_name,
 
 // The formats below have no hierarchy: elements are in the root, in one table (Model::rows) for
 // each kind of element; 80 bytes of memory a segment, ids apart. `read` takes them piece by piece:
-// memory grows with the result and with the largest geometry or record. Lines are drawn from point
+// memory grows with the result and with the largest geometry or record. Each line and polygon of a
+// geometry of several, or of a collection, is an element: of the second the id is "id/2", or "2"
+// where the geometry has none. Lines are drawn from point
 // to point, rings as they are: one that is not closed is listed in `rejected` and not closed. Also
 // listed: isolated points, which are not drawn; that there are coordinates beyond x and y, which
 // are not used; curved geometries. Of more than 10,000 listed items, each further reason is listed

@@ -39,6 +39,8 @@ FeatureTable::FeatureTable(const std::string& file_name, const FeatureOptions& o
       files_{file_name} {}
 
 void FeatureTable::begin_feature() {
+  part_count_ = 0;
+  parts_.clear();
   for (auto table = open_.begin(); table != open_.end();) {
     table->rows_before_feature = table->model.rows.size();
     if (table->model.segments.size() >= kFullTable) {
@@ -51,6 +53,15 @@ void FeatureTable::begin_feature() {
 }
 
 void FeatureTable::name_feature(std::string_view id) {
+  if (part_count_ > 1) {
+    const std::string prefix = id.empty() ? std::string() : line_of(id) + "/";
+    for (const Part& part : parts_) {
+      Model& model = open_[part.table].model;
+      model.row_ids.push_back(prefix + std::to_string(part.number));
+      model.rows[part.row].id = static_cast<std::uint32_t>(model.row_ids.size());
+    }
+    return;
+  }
   if (id.empty()) return;
   for (Table& table : open_) {
     Model& model = table.model;
@@ -62,14 +73,16 @@ void FeatureTable::name_feature(std::string_view id) {
   }
 }
 
-FeatureTable::Table& FeatureTable::table(std::string_view element) {
+std::size_t FeatureTable::table(std::string_view element) {
   const auto known = std::find_if(open_.begin(), open_.end(), [element](const Table& table) {
     return table.model.source.element == element;
   });
-  if (known != open_.end()) return *known;
-  open_.emplace_back();
-  open_.back().model.source.element = element;
-  return open_.back();
+  if (known == open_.end()) {
+    open_.emplace_back();
+    open_.back().model.source.element = element;
+    return open_.size() - 1;
+  }
+  return static_cast<std::size_t>(known - open_.begin());
 }
 
 Source FeatureTable::source_of(std::string_view element, const Place& place) {
@@ -116,19 +129,32 @@ void FeatureTable::add_lines(std::string_view element, const Place& place, const
     if (is_kept(element, place, lines)) keep_lines(lines);
     return;
   }
-  Model& model = table(element).model;
-  const std::size_t before = model.segments.size();
-  std::size_t single_points = 0;
-  std::size_t begin = 0;
-  for (const std::size_t end : lines.ends) {
-    if (end > begin) budget_.spend(end - begin - 1);
-    for (std::size_t i = begin; i + 1 < end; ++i) {
-      model.segments.push_back(lines.points[i], lines.points[i + 1]);
+  add_parts(element, place, lines, {});
+}
+
+/// Adds a part up to each end, an index into `lines.ends`, and one for each line behind the last.
+void FeatureTable::add_parts(std::string_view element, const Place& place, const Polylines& lines,
+                             const std::vector<std::size_t>& part_ends) {
+  const std::size_t table_index = table(element);
+  Model& model = open_[table_index].model;
+  std::size_t single_points = 0, begin = 0, line = 0;
+  for (std::size_t part = 0; line < lines.ends.size(); ++part) {
+    ++part_count_;
+    const std::size_t before = model.segments.size();
+    for (const std::size_t end = part < part_ends.size() ? part_ends[part] : line + 1; line < end;
+         ++line) {
+      const std::size_t line_end = lines.ends[line];
+      if (line_end > begin) budget_.spend(line_end - begin - 1);
+      for (std::size_t i = begin; i + 1 < line_end; ++i) {
+        model.segments.push_back(lines.points[i], lines.points[i + 1]);
+      }
+      if (line_end - begin == 1) ++single_points;
+      begin = line_end;
     }
-    if (end - begin == 1) ++single_points;
-    begin = end;
+    if (model.segments.size() == before) continue;
+    parts_.push_back({table_index, model.rows.size(), part_count_});
+    add_row(model, place, model.segments.size() - before);
   }
-  if (model.segments.size() > before) add_row(model, place, model.segments.size() - before);
   if (single_points > 0) {
     refuse(element, place, "line of a single point", count_of(single_points, "line"));
   }
@@ -149,6 +175,7 @@ void FeatureTable::add_rings(std::string_view element, const Place& place, const
                      : "ring is not closed; it is drawn as it is",
            count_of(open_rings, "ring"));
   }
+  if (geometries_ == nullptr) return add_parts(element, place, rings, rings.polygon_ends);
   if (!are_faces) return add_lines(element, place, rings);
   if (is_kept(element, place, rings)) keep_polygons(rings);
 }
@@ -161,7 +188,7 @@ void FeatureTable::add_segment(std::string_view element, const Place& place, Num
     line.end_line();
     return add_lines(element, place, line);
   }
-  Model& model = table(element).model;
+  Model& model = open_[table(element)].model;
   budget_.spend(1);
   model.segments.push_back(std::move(a), std::move(b));
   add_row(model, place, 1);

@@ -32,8 +32,9 @@ struct Polylines {
   void end_polygon() { polygon_ends.push_back(ends.size()); }
 };
 
-/// Collects the elements of a drawing without hierarchy into tables, one for each kind of element.
-/// 80 bytes for each element of one segment, and its id.
+/// Collects the elements of a drawing without hierarchy into tables, one for each kind of element;
+/// each part of a feature, a line or a polygon, is an element. 80 bytes for each element of one
+/// segment, and its id.
 class FeatureTable {
  public:
   /// Lines and rings go to the options' geometries instead, where there are some.
@@ -41,11 +42,13 @@ class FeatureTable {
 
   /// What is added from here on belongs to one feature.
   void begin_feature();
-  /// Gives the id, unless empty, to all that was added since begin_feature.
+  /// Ends the feature: what was added since begin_feature gets its id, parts of several "id/1",
+  /// "id/2", ..., or their numbers where there is no id.
   void name_feature(std::string_view id);
-  /// Adds an element. Lines of one point are refused.
+  /// Adds an element for each line. Lines of one point are refused.
   void add_lines(std::string_view element, const Place& place, const Polylines& lines);
-  /// The same for rings, which are drawn as they are; those that are not closed are listed.
+  /// The same for each polygon of rings, which are drawn as they are; those that are not closed are
+  /// listed.
   void add_rings(std::string_view element, const Place& place, const Polylines& rings);
   /// An element that is one segment.
   void add_segment(std::string_view element, const Place& place, NumberPoint a, NumberPoint b);
@@ -71,7 +74,16 @@ class FeatureTable {
     std::size_t rows_before_feature = 0;
   };
 
-  Table& table(std::string_view element);
+  /// A part of the feature that has a row.
+  struct Part {
+    std::size_t table;  ///< index into open_
+    std::size_t row;
+    std::size_t number;  ///< from 1
+  };
+
+  std::size_t table(std::string_view element);
+  void add_parts(std::string_view element, const Place& place, const Polylines& lines,
+                 const std::vector<std::size_t>& part_ends);
   bool is_kept(std::string_view element, const Place& place, const Polylines& lines);
   void keep_lines(const Polylines& lines);
   void keep_polygons(const Polylines& rings);
@@ -83,6 +95,8 @@ class FeatureTable {
   CountBudget budget_;
   std::vector<std::string> files_;
   std::vector<Table> open_;
+  std::size_t part_count_ = 0;  ///< of the feature
+  std::vector<Part> parts_;     ///< those of them that are drawn
   std::vector<Model> full_;
   std::vector<LarModel> models_;
   Rejections rejections_;

@@ -267,6 +267,7 @@ Structure read_wkb(ByteStream& bytes, const FeatureOptions& options) {
     table.begin_feature();
     if (is_hex) {
       read_hex_wkb_geometry(bytes, table);
+      table.name_feature({});
     } else {
       read_wkb_geometry(bytes, table);
       table.name_feature(std::to_string(++number));

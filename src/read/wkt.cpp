@@ -297,6 +297,7 @@ Structure read_wkt(ByteStream& bytes, const FeatureOptions& options) {
   for (skip_to_geometry(bytes); !bytes.at_end(); skip_to_geometry(bytes)) {
     table.begin_feature();
     reader.read_geometry();
+    table.name_feature({});
   }
   return std::move(table).finish();
 }
