@@ -149,6 +149,24 @@ TEST_CASE("features in a collection keep their own names, geometries in one are 
         "6 6, 7 7 | a.geojson:3:1 LineString #3\n");
 }
 
+TEST_CASE("the reference system that a document names is kept") {
+  const auto crs_of = [](const std::string& crs) {
+    const auto structure = read_geojson(
+        R"({"crs": )" + crs + R"(, "type": "FeatureCollection", "features": [)" +
+            feature(line("[[0, 0], [1, 1]]"), R"("crs": {"properties": {"name": "not here"}})") +
+            "]}",
+        "a.geojson");
+    CHECK(segments_of(evaluate(structure)) == "0 0, 1 1\n");
+    return structure.crs;
+  };
+  CHECK(crs_of(R"({"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::3857"}})") ==
+        "urn:ogc:def:crs:EPSG::3857");
+  CHECK(crs_of(R"({"type": "link", "properties": {"href": "a", "more": {"name": "b"}}})").empty());
+  CHECK(crs_of(R"({"name": "b", "properties": {"list": [{"name": "c"}], "name": 7}})").empty());
+  CHECK(crs_of("null").empty());
+  CHECK(crs_of(R"(["name"])").empty());
+}
+
 TEST_CASE("a polygon of several is named by the feature's id and its number") {
   const std::string polygons = R"({"type": "MultiPolygon", "coordinates": [
       [[[0, 0], [4, 0], [4, 4], [0, 0]]], [[[9, 9], [8, 9], [9, 8], [9, 9]]]]})";

@@ -218,6 +218,11 @@ TEST_CASE("the layer of findings has a feature per finding, with its place and t
   json.Parse(to_geojson(check).c_str());
   REQUIRE(!json.HasParseError());
   CHECK(std::string(json["type"].GetString()) == "FeatureCollection");
+  CHECK(!json.HasMember("crs"));
+  check.input.crs = "EPSG:3857";
+  rapidjson::Document placed;
+  placed.Parse(to_geojson(check).c_str());
+  CHECK(std::string(placed["crs"]["properties"]["name"].GetString()) == "EPSG:3857");
   REQUIRE(json["features"].Size() == 3);
   const auto& feature = json["features"][0];
   CHECK(std::string(feature["type"].GetString()) == "Feature");

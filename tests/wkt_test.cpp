@@ -213,6 +213,20 @@ TEST_CASE("each line and each polygon of a geometry of several has a source of i
         "a.wkt:1:1 LineString: line of a single point: 1 line\n");
 }
 
+TEST_CASE("the SRID of the geometries is kept; one that differs is listed") {
+  CHECK(read_wkt("SRID=03857;LINESTRING (0 0, 1 1)\nLINESTRING (1 1, 2 2)", "a").crs ==
+        "EPSG:3857");
+  CHECK(read_wkt("SRID=0;LINESTRING (0 0, 1 1)", "a").crs.empty());
+  const auto two = read_wkt("SRID=1;LINESTRING (0 0, 1 1)\n SRID=2;LINESTRING (1 1, 2 2)", "a");
+  CHECK(two.crs == "EPSG:1");
+  CHECK(listing(two) ==
+        "0 0, 1 1 | a:1:1 LineString\n1 1, 2 2 | a:2:2 LineString\nrejected:\n"
+        "a:2:7 SRID: another reference system than EPSG:1; it is drawn as it is: EPSG:2\n");
+  const Wkb line = Wkb().geometry(0x20000002U).number(25832).number(2).point(0, 0).point(1, 1);
+  CHECK(read_wkb(line.bytes, "a").crs == "EPSG:25832");
+  CHECK(evaluate(read_wkb(hex(line.bytes), "a")).crs == "EPSG:25832");
+}
+
 TEST_CASE("WKB: parts are geometries of their own, Z and M and SRID are passed over") {
   const Wkb lines = Wkb()
                         .geometry(5)

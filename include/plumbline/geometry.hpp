@@ -157,6 +157,7 @@ class SegmentSet {
   std::vector<SourceId> point_source;  ///< per point
   std::vector<Rejected> rejected;
   std::vector<Replacement> ledger;
+  std::string crs;    ///< name of the coordinates' reference system, where the files have one
   bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG
 
   /// Adds a file name, returns its index.

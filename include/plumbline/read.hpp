@@ -83,11 +83,12 @@ Structure read_lines(std::string_view text, const std::string& file_name,
 // each kind of element; 80 bytes of memory a segment, ids apart. `read` takes them piece by piece:
 // memory grows with the result and with the largest geometry or record. Each line and polygon of a
 // geometry of several, or of a collection, is an element: of the second the id is "id/2", or "2"
-// where the geometry has none. Lines are drawn from point
-// to point, rings as they are: one that is not closed is listed in `rejected` and not closed. Also
-// listed: isolated points, which are not drawn; that there are coordinates beyond x and y, which
-// are not used; curved geometries. Of more than 10,000 listed items, each further reason is listed
-// once, with a count.
+// where the geometry has none. A named reference system (GeoJSON's `crs`, a SRID n as "EPSG:n") is
+// kept in Structure::crs; geometries in another one are listed, and drawn as they are. Lines are
+// drawn from point to point, rings as they are: one that is not closed is listed in `rejected` and
+// not closed. Also listed: isolated points, which are not drawn; that there are coordinates beyond
+// x and y, which are not used; curved geometries. Of more than 10,000 listed items, each further
+// reason is listed once, with a count.
 
 /// GeoJSON (RFC 7946): any object, GeometryCollections of any depth. Sources are named by the id of
 /// the feature, else by its property id or name, in any case. `rejected` lists a feature or

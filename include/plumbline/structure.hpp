@@ -55,7 +55,8 @@ struct Structure {
   std::vector<Rejected> rejected;
   std::vector<Replacement> ledger;
   double angle_bound = kAngleBound;  ///< of what stands for rotations (`rotation`)
-  bool y_up = false;                 ///< whether y runs upwards, in pictures; it does not in SVG
+  std::string crs;    ///< name of the coordinates' reference system, where the files have one
+  bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG
 
   friend bool operator==(const Structure&, const Structure&) = default;
 };

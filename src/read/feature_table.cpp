@@ -209,8 +209,22 @@ void FeatureTable::note_other_coordinates(std::string_view element, const Place&
   if (with_other_coordinates_++ == 0) first_with_other_coordinates_ = source_of(element, place);
 }
 
+void FeatureTable::note_crs(std::string_view element, const Place& place, std::string_view name) {
+  const std::string crs = line_of(name);
+  if (crs_.empty()) crs_ = crs;
+  if (crs == crs_) return;
+  refuse(element, place, "another reference system than " + crs_ + "; it is drawn as it is", crs);
+}
+
+void FeatureTable::note_srid(std::string_view element, const Place& place,
+                             std::string_view digits) {
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  if (!digits.empty()) note_crs(element, place, "EPSG:" + std::string(digits));
+}
+
 Structure FeatureTable::finish() && {
   Structure structure;
+  structure.crs = std::move(crs_);
   structure.files = std::move(files_);
   structure.y_up = true;
   structure.root = StructId(0);

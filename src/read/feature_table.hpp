@@ -59,6 +59,12 @@ class FeatureTable {
   /// Counts an element with coordinates other than x and y, which are not used.
   void note_other_coordinates(std::string_view element, const Place& place);
 
+  /// Coordinates from here on are in this reference system. One that differs from that of others is
+  /// listed.
+  void note_crs(std::string_view element, const Place& place, std::string_view name);
+  /// The same by its number; 0 stands for an unknown one.
+  void note_srid(std::string_view element, const Place& place, std::string_view digits);
+
   /// Adds a model as it is.
   void add_model(LarModel model) { models_.push_back(std::move(model)); }
 
@@ -94,6 +100,7 @@ class FeatureTable {
   Numbers numbers_;
   CountBudget budget_;
   std::vector<std::string> files_;
+  std::string crs_;
   std::vector<Table> open_;
   std::size_t part_count_ = 0;  ///< of the feature
   std::vector<Part> parts_;     ///< those of them that are drawn

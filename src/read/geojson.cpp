@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "read/geojson_coordinates.hpp"
+#include "read/geojson_crs.hpp"
 #include "read/streams.hpp"
 
 namespace plumbline {
@@ -23,17 +24,19 @@ enum Member : unsigned {
   kCoordinates = 16,
   kId = 32,
   kProperties = 64,
+  kCrs = 128,
 };
 constexpr unsigned kContent = kFeatures | kGeometry | kGeometries | kCoordinates;
 
-constexpr std::array<std::pair<std::string_view, Member>, 7> kMembers = {
+constexpr std::array<std::pair<std::string_view, Member>, 8> kMembers = {
     {{"type", kType},
      {"features", kFeatures},
      {"geometry", kGeometry},
      {"geometries", kGeometries},
      {"coordinates", kCoordinates},
      {"id", kId},
-     {"properties", kProperties}}};
+     {"properties", kProperties},
+     {"crs", kCrs}}};
 
 Member member_of(std::string_view name) {
   const auto* const known = std::find_if(kMembers.begin(), kMembers.end(),
@@ -95,6 +98,7 @@ class GeoJsonReader {
 
   void key(std::string_view name) {
     if (ignored_ > 0) return;
+    if (crs_.is_open()) return crs_.key(name);
     if (in_properties_) {
       property_ = property_of(name);
       return;
@@ -113,6 +117,7 @@ class GeoJsonReader {
 
   void scalar(JsonScalar kind, std::string_view text) {
     if (ignored_ > 0) return;
+    if (crs_.is_open()) return crs_.scalar(kind, text);
     if (in_coordinates_) return coordinates_.scalar(kind, text, numbers_);
     if (in_properties_) return keep_property(kind, text);
     if (levels_.empty()) fail("not a GeoJSON object");
@@ -129,6 +134,9 @@ class GeoJsonReader {
 
   void open_object() {
     if (ignored_ > 0 || in_properties_) return ignore();
+    if (crs_.is_open() || (!levels_.empty() && !in_coordinates_ && member_ == kCrs)) {
+      return crs_.open_object();
+    }
     if (in_coordinates_) {
       coordinates_.refuse("coordinates hold an object", {});
       return ignore();
@@ -153,6 +161,8 @@ class GeoJsonReader {
   void close_object() {
     if (ignored_ > 0) {
       --ignored_;
+    } else if (crs_.is_open()) {
+      crs_.close_object();
     } else if (in_properties_) {
       in_properties_ = false;
     } else {
@@ -161,7 +171,7 @@ class GeoJsonReader {
   }
 
   void open_array() {
-    if (ignored_ > 0 || in_properties_) return ignore();
+    if (ignored_ > 0 || in_properties_ || crs_.is_open()) return ignore();
     if (in_coordinates_) return coordinates_.open_array();
     if (levels_.empty()) fail("not a GeoJSON object");
     const Level level = levels_.back();
@@ -210,7 +220,7 @@ class GeoJsonReader {
   }
 
   static bool is_misplaced(Member member, Slot slot) {
-    if (member == kFeatures) return slot != Slot::Document;
+    if (member == kFeatures || member == kCrs) return slot != Slot::Document;
     if (member == kGeometry || member == kId || member == kProperties) {
       return slot == Slot::Geometry;
     }
@@ -259,7 +269,10 @@ class GeoJsonReader {
     const Level level = std::move(levels_.back());
     levels_.pop_back();
     member_ = kOther;
-    if (level.slot == Slot::Document) check_document(level);
+    if (level.slot == Slot::Document) {
+      check_document(level);
+      if (!crs_.name().empty()) table_.note_crs("crs", level.place, crs_.name());
+    }
     try {
       draw(level);
     } catch (const Unusable& problem) {
@@ -330,6 +343,7 @@ class GeoJsonReader {
   std::size_t ignored_ = 0;  ///< depth of open objects and arrays that are passed over
   Member member_ = kOther;   ///< whose value comes next
   GeoJsonCoordinates coordinates_;
+  GeoJsonCrs crs_;
   bool in_coordinates_ = false;
   bool in_properties_ = false;
   Property property_ = Property::Other;

@@ -22,11 +22,13 @@ class StructJsonReader {
     structure_.y_up = true;
     const JsonValue root = tree_.root();
     expect(root, JsonType::Object, "an object");
-    expect_members(root, {"root", "defs", "description", "files", "rejected", "ledger", "y_up"});
+    expect_members(root,
+                   {"root", "defs", "description", "files", "rejected", "ledger", "y_up", "crs"});
     if (const JsonValue y_up = root.find("y_up")) {
       expect(y_up, JsonType::Bool, "true or false");
       structure_.y_up = y_up.text() == "true";
     }
+    if (const JsonValue crs = root.find("crs")) structure_.crs = string_of(crs);
     read_files(root.find("files"));
     const JsonValue defs = root.find("defs");
     if (!defs) root.fail("no member \"defs\"");

@@ -164,7 +164,10 @@ class WkbReader {
     const bool has_z = (code & kFlagZ) != 0 || dimensions == 1 || dimensions == 3;
     const bool has_m = (code & kFlagM) != 0 || dimensions >= 2;
     header.other_coordinates = (has_z ? 1U : 0U) + (has_m ? 1U : 0U);
-    if ((code & kFlagSrid) != 0) bytes_.take<std::uint32_t>(header.is_little_endian);
+    if ((code & kFlagSrid) != 0) {
+      const auto srid = bytes_.take<std::uint32_t>(header.is_little_endian);
+      table_.note_srid(name_of_kind(header.kind), place_, std::to_string(srid));
+    }
     return header;
   }
 

@@ -111,9 +111,16 @@ class WktReader {
   void skip_srid() {
     expect('=');
     bytes_.skip_blanks();
-    while (bytes_.peek() >= '0' && bytes_.peek() <= '9') bytes_.take();
+    constexpr std::size_t kLongest = 10;
+    const Place here = bytes_.place();
+    std::string digits;
+    while (bytes_.peek() >= '0' && bytes_.peek() <= '9') {
+      const char c = bytes_.take();
+      if (digits.size() < kLongest) digits += c;
+    }
     expect(';');
     bytes_.skip_blanks();
+    table_.note_srid("SRID", here, digits);
   }
 
   /// The type that starts here with its Z and M; none for a curved one, which is passed over.

@@ -29,6 +29,7 @@ class Evaluation {
     result_.files = structure.files;
     result_.rejected = structure.rejected;
     result_.ledger = structure.ledger;
+    result_.crs = structure.crs;
     result_.y_up = structure.y_up;
     reserve();
   }

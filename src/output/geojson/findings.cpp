@@ -40,6 +40,11 @@ auto geometry(const Finding& f) {
   });
 }
 
+/// The member `crs` of GeoJSON before RFC 7946, which readers still follow.
+auto named(const std::string& crs) {
+  return object(member("type", "name"), member("properties", object(member("name", crs))));
+}
+
 }  // namespace
 }  // namespace json
 
@@ -52,8 +57,10 @@ std::string to_geojson(const Check& check) {
                   member("geometry", geometry(findings[i])),
                   member("properties", properties(check.input, findings[i], cause, i + 1)));
   };
-  return document(object(member("type", "FeatureCollection"),
-                         member("features", list(findings.size(), feature))));
+  return document(
+      object(member("type", "FeatureCollection"),
+             when(!check.input.crs.empty(), [&] { return member("crs", named(check.input.crs)); }),
+             member("features", list(findings.size(), feature))));
 }
 
 }  // namespace plumbline

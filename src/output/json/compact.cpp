@@ -50,8 +50,8 @@ std::string to_compact_json(const ExactComplex& complex, const SegmentSet& input
                                   [&](std::size_t e) { return edge_row(complex, EdgeId(e)); })),
              member("faces", list(complex.face_count(),
                                   [&](std::size_t f) { return face_row(complex, FaceId(f)); })),
-             member("isolated_vertices", isolated_rows(complex)), member("files", input.files),
-             losses(input.rejected, input.ledger)),
+             member("isolated_vertices", isolated_rows(complex)), crs_member(input.crs),
+             member("files", input.files), losses(input.rejected, input.ledger)),
       Layout::Dense);
 }
 

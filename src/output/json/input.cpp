@@ -16,6 +16,10 @@ Part losses(const std::vector<Rejected>& rejected, const std::vector<Replacement
                                 }))));
 }
 
+Part crs_member(const std::string& crs) {
+  return part_of(when(!crs.empty(), [crs] { return member("crs", crs); }));
+}
+
 Part input_members(const SegmentSet& input) {
   const auto source = [](const Source& s) { return object(source_members(s)); };
   const auto segment = [&input](std::size_t s) {
@@ -23,7 +27,7 @@ Part input_members(const SegmentSet& input) {
     return object(member("source", input.segment_source[s]), member("from", ends.first<2>()),
                   member("to", ends.last<2>()));
   };
-  return part_of(members(member("files", input.files),
+  return part_of(members(crs_member(input.crs), member("files", input.files),
                          member("sources", list(input.sources, source)),
                          member("segments", list(input.segments.size(), segment)),
                          losses(input.rejected, input.ledger)));

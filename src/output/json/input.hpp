@@ -12,7 +12,10 @@ inline auto source_members(const Source& s) {
 /// "rejected" and "ledger".
 Part losses(const std::vector<Rejected>& rejected, const std::vector<Replacement>& ledger);
 
-/// Where a drawing's items come from: "files", "sources", "segments", "rejected", "ledger".
+/// "crs", where there is one.
+Part crs_member(const std::string& crs);
+
+/// Where a drawing's items come from: "crs", "files", "sources", "segments", "rejected", "ledger".
 /// Documented in docs/json.md.
 Part input_members(const SegmentSet& input);
 

@@ -113,6 +113,7 @@ std::string to_json(const Structure& structure) {
   const Items items{keys};
   return document(object(
       member("root", items.name(structure.root)), member("y_up", structure.y_up),
+      crs_member(structure.crs),
       member("defs", object(each(Numbers(0, keys.size()),
                                  [&](std::size_t s) {
                                    return member(keys[s],
