@@ -110,8 +110,9 @@ int scenes(std::uint64_t count) {
   for (std::uint64_t i = 0; i < count; ++i) {
     const inputs::CurveScene scene = inputs::curve_scene(i);
     const bool is_svg = scene.file == "scene.svg";
-    const ExactComplex complex = arrange(
-        evaluate(is_svg ? read_svg(scene.text, scene.file) : read_dxf(scene.text, scene.file)));
+    const SegmentSet drawn =
+        evaluate(is_svg ? read_svg(scene.text, scene.file) : read_dxf(scene.text, scene.file));
+    const ExactComplex complex = arrange(drawn, ExactEngine::Bucket, {1, {}});
     Tally& tally = tallies[scene.name];
     ++tally.scenes;
     if (complex.face_count() == scene.faces && antennas(complex) == 0) continue;
