@@ -35,7 +35,7 @@ class Evaluation {
   }
 
   void run() {
-    const double angle = largest_angle(structure_.ledger);
+    const double angle = largest_angle(structure_);
     while (traversal_.next()) {
       const Struct::Item& item = traversal_.model();
       if (traversal_.map().dimension() != 2) {

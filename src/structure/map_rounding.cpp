@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
+#include <variant>
 
 #include "geometry/text_rounding.hpp"
 
@@ -31,9 +32,14 @@ double MapRounding::of(const Number& x, const Number& y) const {
   return std::isfinite(under_map) ? under_map : 0;  // of numbers beyond the doubles
 }
 
-double largest_angle(const std::vector<Replacement>& ledger) {
-  double largest = 0;
-  for (const Replacement& item : ledger) {
+double largest_angle(const Structure& structure) {
+  const auto turns = [](const Struct& s) {
+    return std::any_of(s.body.begin(), s.body.end(),
+                       [](const Struct::Item& item) { return std::holds_alternative<Turn>(item); });
+  };
+  const bool has_turn = std::any_of(structure.structs.begin(), structure.structs.end(), turns);
+  double largest = has_turn ? structure.angle_bound : 0;
+  for (const Replacement& item : structure.ledger) {
     if (!std::string_view(item.bound).ends_with(" rad")) continue;
     largest = std::max(largest, std::strtod(item.bound.c_str(), nullptr));
   }

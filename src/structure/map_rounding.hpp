@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "plumbline/structure.hpp"
 
 namespace plumbline {
@@ -28,7 +25,8 @@ class MapRounding {
   double of_shift_ = 0;  ///< of every point
 };
 
-/// The largest deviation of angles that the ledger has, in radians; 0 where it has none.
-double largest_angle(const std::vector<Replacement>& ledger);
+/// The largest deviation of angles: what the ledger has, and of turns that are still to be
+/// replaced; in radians, 0 where there are none.
+double largest_angle(const Structure& structure);
 
 }  // namespace plumbline
