@@ -2,12 +2,14 @@
 
 #include <stdexcept>
 
+#include "inputs/curve_scenes.hpp"
 #include "inputs/draw.hpp"
 #include "inputs/families/floor_plans.hpp"
 #include "inputs/families/full_places.hpp"
 #include "inputs/families/near_misses.hpp"
 #include "inputs/families/scales_and_turns.hpp"
 #include "inputs/families/tangencies.hpp"
+#include "plumbline/read.hpp"
 
 namespace plumbline::inputs {
 namespace {
@@ -182,6 +184,17 @@ void long_and_short(Draw& draw) {
   draw.add_points(side);
 }
 
+/// Curves as they are read, one scene or two over each other.
+void scenes_of_curves(Draw& draw) {
+  for (int n = draw.between(1, 2); n > 0; --n) {
+    constexpr int kScenes = 1'000'000;
+    const CurveScene scene = curve_scene(static_cast<std::uint64_t>(draw.pick(kScenes)));
+    const SegmentSet drawn = evaluate(scene.file == "scene.svg" ? read_svg(scene.text, scene.file)
+                                                                : read_dxf(scene.text, scene.file));
+    for (const Segment& s : drawn.segments) draw.add(s.a, s.b);
+  }
+}
+
 struct Maker {
   std::string family;
   void (*make)(Draw&);
@@ -216,6 +229,7 @@ const std::vector<Maker>& makers() {
       {"mixed doubles", mixed_doubles, Cost::Dear},
       {"lattice turned in doubles", lattice_turned_in_doubles, Cost::Dear},
       {"lattice and strays", lattice_and_strays},
+      {"scenes of curves", scenes_of_curves, Cost::FullPlace},
       {"pencils", pencils, Cost::FullPlace},
       {"near pencils", near_pencils, Cost::FullPlace},
       {"fan", fan, Cost::FullPlace},

@@ -15,8 +15,10 @@ const std::vector<std::string>& families();
 /// What a small input of a family costs to arrange.
 enum class Cost {
   Cheap,
-  Dear,       ///< about twice as much: its numbers are long or its segments more
-  FullPlace,  ///< has no small inputs, since it puts more into a place than a bucket tests by pairs
+  Dear,  ///< about twice as much: its numbers are long or its segments more
+  /// Has no small inputs, since it puts more into a place than a bucket tests by pairs, or has
+  /// curves.
+  FullPlace,
 };
 /// Throws: std::out_of_range for another name; `of_family` as well.
 Cost cost(const std::string& family);
