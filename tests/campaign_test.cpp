@@ -18,7 +18,7 @@ using namespace plumbline::campaign;
 namespace {
 
 /// A triangle with a crossed antenna inside, and an isolated point.
-const SegmentSet kDrawing = from_rows("0,0,4,0\n4,0,0,4\n0,4,0,0\n0,1,2,1\n1,0,1,2\n9,9\n");
+const SegmentSet kInput = from_rows("0,0,4,0\n4,0,0,4\n0,4,0,0\n0,1,2,1\n1,0,1,2\n9,9\n");
 
 bool is_valid(const ExactComplex& complex) { return validate(complex).empty(); }
 
@@ -33,19 +33,19 @@ TEST_CASE("dice are splitmix64") {
 }
 
 TEST_CASE("a vertex on an edge cuts it; one on a vertex changes nothing") {
-  const ExactComplex complex = arrange(kDrawing);
+  const ExactComplex complex = arrange(kInput);
   const ExactComplex cut = with_vertex(complex, {3, 0});
   CHECK(is_valid(cut));
   CHECK(cut.vertices.size() == complex.vertices.size() + 1);
   CHECK(cut.edge_count() == complex.edge_count() + 1);
   CHECK(cut.face_count() == complex.face_count());
-  CHECK(validate_coverage(cut, kDrawing).empty());
+  CHECK(validate_coverage(cut, kInput).empty());
   CHECK(with_vertex(complex, {1, 1}) == complex);
   CHECK_THROWS_AS(with_vertex(complex, {7, 7}), Error);
 }
 
 TEST_CASE("the image under a map is a complex, turned over or not, and the inverse undoes it") {
-  const ExactComplex complex = arrange(kDrawing);
+  const ExactComplex complex = arrange(kInput);
   for (const Affine& map : {Affine(0, 1, 1, 0, 5, Rational(1, 3)), Affine(2, 1, 0, 3, 0, -1)}) {
     const ExactComplex image = mapped(complex, map);
     CHECK(is_valid(image));
@@ -57,8 +57,8 @@ TEST_CASE("the image under a map is a complex, turned over or not, and the inver
 }
 
 TEST_CASE("with a copy far away everything is there twice, in one unbounded face") {
-  const ExactComplex complex = arrange(kDrawing);
-  const ExactComplex both = with_copy(complex, translation(100, 0), kDrawing.segments.size());
+  const ExactComplex complex = arrange(kInput);
+  const ExactComplex both = with_copy(complex, translation(100, 0), kInput.segments.size());
   CHECK(is_valid(both));
   CHECK(both.vertices.size() == 2 * complex.vertices.size());
   CHECK(both.edge_count() == 2 * complex.edge_count());
@@ -67,13 +67,13 @@ TEST_CASE("with a copy far away everything is there twice, in one unbounded face
 }
 
 TEST_CASE("every relation holds for a right complex and fails for one with a vertex elsewhere") {
-  const ExactComplex right = arrange(kDrawing);
+  const ExactComplex right = arrange(kInput);
   ExactComplex wrong = right;
   wrong.vertices.replace(0, {2, 3});  // across a side of the triangle
   for (const Relation relation : kRelations) {
     CAPTURE(to_text(relation));
-    for (std::uint64_t seed = 0; seed < 20; ++seed) CHECK(holds(relation, kDrawing, right, seed));
-    CHECK_FALSE(holds(relation, kDrawing, wrong, 1));
+    for (std::uint64_t seed = 0; seed < 20; ++seed) CHECK(holds(relation, kInput, right, seed));
+    CHECK_FALSE(holds(relation, kInput, wrong, 1));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "number/bound_text.hpp"
 #include "plumbline/error.hpp"
 #include "read/attribute.hpp"
 
