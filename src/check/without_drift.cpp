@@ -92,7 +92,7 @@ class Straightening {
     origins_.push_back(origin);
   }
 
-  void add(std::vector<VertexId> way, SegmentId origin) {
+  void add(const std::vector<VertexId>& way, SegmentId origin) {
     const auto [a, b] = input_.segments[origin];
     const Rational x = b.x - a.x, y = b.y - a.y;
     std::vector<std::pair<Rational, VertexId>> along;

@@ -90,9 +90,9 @@ class CsvReader {
     columns_ = columns_of(fields);
     if (columns_.numbers || columns_.geometry) return;
     columns_ = {{{0, 1, 2, 3}}, std::nullopt, std::nullopt, false};
-    const bool is_row = fields.size() == kRowNumbers &&
-                        std::all_of(fields.begin(), fields.end(),
-                                    [](const CsvField& f) { return is_number(f); });
+    const bool is_row =
+        fields.size() == kRowNumbers &&
+        std::all_of(fields.begin(), fields.end(), [](const CsvField& f) { return is_number(f); });
     if (is_row) return;
     throw Error(ErrorCode::BadInput,
                 "the first row is neither four numbers nor a header with columns " +

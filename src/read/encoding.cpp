@@ -85,7 +85,7 @@ class Converter {
 };
 
 /// No function, so that it is inlined where it is passed on.
-constexpr auto is_forbidden = [](char c) {
+constexpr auto kIsForbidden = [](char c) {
   return (static_cast<unsigned char>(c) < ' ') & (c != '\t') & (c != '\n') & (c != '\r');
 };
 
@@ -116,8 +116,8 @@ Place place_in(std::string_view text, std::size_t offset, const std::string& fil
 namespace {
 
 void check_control_characters(std::string_view text, const std::string& file) {
-  if (!any_of(text, is_forbidden)) return;
-  const auto control = std::find_if(text.begin(), text.end(), is_forbidden);
+  if (!any_of(text, kIsForbidden)) return;
+  const auto control = std::find_if(text.begin(), text.end(), kIsForbidden);
   throw Error(ErrorCode::BadInput, "control character in the text",
               place_in(text, static_cast<std::size_t>(control - text.begin()), file));
 }

@@ -146,8 +146,9 @@ class StructJsonReader {
     if (op == "t") return translation(values);
     if (op == "s") return scaling(values);
     if (op != "r") item.find("op").fail("not one of the operations t, s and r");
-    if (values.size() == 1)
+    if (values.size() == 1) {
       return turned(item, rotation_in_radians(values[0], structure_.angle_bound), args);
+    }
     if (values.size() != 3) args.fail("a rotation has one number or three");
     return turned(
         item, rotation_in_space({values[0], values[1], values[2]}, structure_.angle_bound), args);

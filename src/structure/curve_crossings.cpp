@@ -191,7 +191,7 @@ void Crossings::cross_at(std::size_t segment, std::size_t i, double t) {
     t = 1 - t;
   }
   const Rational exact = decimal(t, digits_of(kCrossing * in_.extent / reach));
-  if (exact <= 0 || exact >= 1) return;
+  if (sgn(exact) <= 0 || cmp(exact, 1) >= 0) return;
   add(i, part, {a.x + exact * (b.x - a.x), a.y + exact * (b.y - a.y)});
 }
 

@@ -170,7 +170,7 @@ std::vector<std::size_t> take_lines(std::vector<End>& ends, const CurvesInPlace&
       const Rational ux = b.x - a.x, uy = b.y - a.y;
       const Rational along =
           (ux * (ends[i].at.x - a.x) + uy * (ends[i].at.y - a.y)) / (ux * ux + uy * uy);
-      if (along <= 0 || along >= 1) continue;
+      if (sgn(along) <= 0 || cmp(along, 1) >= 0) continue;
       const Point foot{a.x + along * ux, a.y + along * uy};
       Rational squared = squared_distance(foot, ends[i].at);
       if (nearest_sqrt(squared) > in.within(ends[i].bound + in.rounding[s])) continue;

@@ -36,8 +36,9 @@ CurvesInPlace::CurvesInPlace(const PlacedCurves& placed)
   }
   extent = box.longer_side();
   double of_curves = 0;
-  for (const Curve& c : curves)
+  for (const Curve& c : curves) {
     of_curves = std::max({of_curves, c.bound, c.end_bounds[0], c.end_bounds[1]});
+  }
   most = of_curves;
   if (!rounding.empty()) most += *std::max_element(rounding.begin(), rounding.end());
   slack = kSlack * std::max({-box.low.x, -box.low.y, box.high.x, box.high.y});
