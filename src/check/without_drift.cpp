@@ -26,7 +26,7 @@ class Straightening {
         const Segment segment = input_.segments[s];
         add(segment.a, segment.b, SegmentId(s));
       } else {
-        add(std::move(way->second), SegmentId(s));
+        add(way->second, SegmentId(s));
       }
     }
     result_.points = input_.points;
