@@ -173,6 +173,20 @@ TEST_CASE("circles cross and touch where they do") {
   }
 }
 
+TEST_CASE("what lies far away does not move where curves cross") {
+  const std::string near = circle("0", "0", "5") + line("-10", "3", "10", "3") +
+                           circle("6", "0", "5") + line("-10", "7", "10", "7");
+  const std::size_t faces = complex(near).face_count();
+  for (const int zeros : {6, 9, 12, 16, 30}) {
+    const std::string far = "1" + std::string(static_cast<std::size_t>(zeros), '0');
+    const ExactComplex both = complex(near + line(far, far, far, "2" + far.substr(1)));
+    CAPTURE(zeros);
+    CHECK(both.face_count() == faces);
+    CHECK(has_vertex_near(both, 4, 3, 0.02));
+    CHECK(has_vertex_near(both, 3, 4, 0.02));
+  }
+}
+
 TEST_CASE("the same circle twice is one, and lines cross it once") {
   const ExactComplex once = complex(circle("0", "0", "5") + line("-10", "3", "10", "3"));
   const ExactComplex twice = complex(circle("0", "0", "5") + circle("0", "0", "5") +

@@ -103,6 +103,12 @@ class Crossings {
     return apart > 0 ? std::max(0, static_cast<int>(std::ceil(-std::log10(apart)))) : 0;
   }
   std::size_t curve_of(std::size_t i) const { return tree_.chords()[i].curve; }
+  /// Whether the grid of crossings is fine beside the curve; else, in a drawing with something far
+  /// away, it crosses by its chords.
+  bool is_large(std::size_t i) const {
+    constexpr double kFine = 1e-6;
+    return kCrossing * in_.extent + in_.slack <= kFine * ellipse_of(i).reach();
+  }
   const RoughEllipse& ellipse_of(std::size_t i) const { return *ellipses_[curve_of(i)]; }
   SegmentD chord_of(std::size_t i) const { return in_.rough(tree_.chords()[i].segment); }
 
@@ -157,6 +163,7 @@ bool Crossings::has_vertex_on(std::size_t i, const Point& a, const Point& b) con
 }
 
 void Crossings::cross_by_line(std::size_t segment, std::size_t i) {
+  if (!is_large(i)) return;
   const RoughEllipse& ellipse = ellipse_of(i);
   const auto ends = in_.rough(segment);
   const PointD a = ellipse.in(ends.a), b = ellipse.in(ends.b);
@@ -259,6 +266,7 @@ std::optional<PointD> Crossings::meeting(std::size_t i, std::size_t j, double s,
 }
 
 void Crossings::cross_by_curve(std::size_t i, std::size_t j) {
+  if (!is_large(i) || !is_large(j)) return;
   const auto r = ellipse_of(i).radius(), s = ellipse_of(j).radius();
   const std::vector<PointD> found =
       r && s ? meetings_of_circles(i, j, *r, *s) : meetings_of_ellipses(i, j);
