@@ -77,6 +77,14 @@ TEST_CASE("a vertex beside an edge is a place") {
   CHECK(found.beside.size() == 1);
 }
 
+TEST_CASE("what lies far away does not make everything drift") {
+  std::string rows;
+  for (int i = 0; i < 20; ++i) rows += std::to_string(i) + ",0," + std::to_string(i) + ".5,1\n";
+  rows += "3.0000000000001,0,9.0000000000001,7\n";
+  CHECK(drift_of(lines(rows)).places == 0);
+  CHECK(drift_of(lines(rows + "1e15,1e15,1e15,2e15\n")).places == 0);
+}
+
 TEST_CASE("drift grows with the map and with what the ledger says of angles") {
   const std::string gap = "<path d='M 0 0 L 1 0 M 1.0000000000000002 0 L 1.0000000000000002 1'/>";
   const double bound = drift_of(svg(gap)).bound;

@@ -129,8 +129,8 @@ std::vector<Replacement> replaced_rotations(const Structure& structure);
 /// Source of its own whose path is that of the Traversal. A LarModel gives its `edges`. **Exact**.
 /// Curves (Model::curves) meet what meets them in the drawing: an end that is known within a bound
 /// takes the place of an authored end, of another curve's end or on a line within it; and a curve
-/// gets a vertex where an end lies on it, and where lines or curves cross or touch it. Never
-/// beyond the bounds, nor 1e-9 of the extent; in the ledger.
+/// gets a vertex where an end lies on it, never beyond the bounds, nor 1e-9 of the extent; and
+/// within 1e-12 of the extent where lines or curves cross or touch it. In the ledger.
 /// Zero-length segments and cells that can't be drawn go to `rejected`. Throws: as Traversal; Error
 /// BadInput for a structure of another dimension than 2; Limit beyond the options, which is told
 /// before the result has grown that far.

@@ -1,12 +1,12 @@
 #include "number/half_unit.hpp"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace plumbline {
 
 bool is_long(const Number& value) {
-  return !value.is_decimal() || std::abs(value.mantissa()) >= kLeastLongMantissa;
+  return !value.is_decimal() || value.mantissa() >= kLeastLongMantissa ||
+         value.mantissa() <= -kLeastLongMantissa;
 }
 
 double half_unit(const Number& value) {

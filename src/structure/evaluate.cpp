@@ -206,8 +206,8 @@ class Evaluation {
 };
 
 /// The segments, with what programs and curves add to the rounding of their texts: a program that
-/// prints long numbers has computed them from others as large as the drawing; the chords of a curve
-/// are known no better than the curve.
+/// prints long numbers has computed them from others as large as the drawing is but for a tenth of
+/// it, which may lie far away; the chords of a curve are known no better than the curve.
 SegmentSet with_rounding(SegmentSet set, const std::vector<Curve>& curves) {
   if (set.rounding.empty() && curves.empty()) return set;
   set.rounding.resize(set.segments.size());
@@ -216,14 +216,20 @@ SegmentSet with_rounding(SegmentSet set, const std::vector<Curve>& curves) {
       set.rounding[i] = std::max(set.rounding[i], curve.bound);
     }
   }
-  double largest = 0;
+  std::vector<double> largest;  // coordinate, per segment
   for (std::size_t i = 0; i < set.segments.size(); ++i) {
+    largest.push_back(0);
     for (const Number& n : set.segments.numbers(i)) {
-      largest = std::max(largest, std::abs(nearest_double(n)));
+      largest.back() = std::max(largest.back(), std::abs(nearest_double(n)));
     }
   }
-  for (double& rounding : set.rounding) {
-    if (rounding > 0) rounding = std::max(rounding, kDriftOfPrograms * kUnit * largest);
+  std::vector<double> sorted = largest;
+  const auto most = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
+  std::nth_element(sorted.begin(), most, sorted.end());
+  for (std::size_t i = 0; i < set.segments.size(); ++i) {
+    const double size = most == sorted.end() ? 0 : std::max(*most, largest[i]);
+    double& rounding = set.rounding[i];
+    if (rounding > 0) rounding = std::max(rounding, kDriftOfPrograms * kUnit * size);
   }
   return set;
 }
