@@ -173,6 +173,27 @@ TEST_CASE("circles cross and touch where they do") {
   }
 }
 
+TEST_CASE("curves cross alike for any order and direction of what crosses them") {
+  std::vector<std::string> entities{
+      circle("0", "0", "5"),           circle("3", "1", "4"),           circle("3", "1", "4"),
+      line("-10", "3", "10", "4"),     line("12", "4.1", "-4", "3.3"),  line("-10", "-7", "9", "8"),
+      line("-1", "3.45", "9", "3.95"), arc("-3", "1", "6", "300", "60")};
+  const auto all = [&] {
+    std::string text;
+    for (const std::string& entity : entities) text += entity;
+    return complex(text);
+  };
+  const ExactComplex first = all();
+  std::reverse(entities.begin(), entities.end());
+  CHECK(all().vertices == first.vertices);
+  std::rotate(entities.begin(), entities.begin() + 3, entities.end());
+  CHECK(all().vertices == first.vertices);
+  for (std::string& entity : entities) {
+    if (entity == line("-10", "3", "10", "4")) entity = line("10", "4", "-10", "3");
+  }
+  CHECK(all().vertices == first.vertices);
+}
+
 TEST_CASE("what lies far away does not move where curves cross") {
   const std::string near = circle("0", "0", "5") + line("-10", "3", "10", "3") +
                            circle("6", "0", "5") + line("-10", "7", "10", "7");

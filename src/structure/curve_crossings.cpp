@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "structure/placed_curves.hpp"
@@ -85,13 +87,18 @@ class Crossings {
   }
 
   PointsOnCurves run() && {
-    for (std::size_t s = 0; s < in_.segments.size(); ++s) {
-      if (in_.is_chord[s]) continue;
+    for (const std::size_t s : lines_in_order()) {
       for (const std::size_t i : tree_.tree().meeting(in_.rough(s))) cross_by_line(s, i);
     }
-    for (std::size_t i = 0; i < tree_.chords().size(); ++i) {
-      for (const std::size_t j : tree_.tree().meeting(tree_.box(i))) {
-        if (i < j && curve_of(i) != curve_of(j)) cross_by_curve(i, j);
+    const std::vector<std::size_t> order = chords_in_order();
+    std::vector<std::size_t> rank(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
+    for (const std::size_t i : order) {
+      std::vector<std::size_t> others = tree_.tree().meeting(tree_.box(i));
+      std::sort(others.begin(), others.end(),
+                [&](std::size_t j, std::size_t k) { return rank[j] < rank[k]; });
+      for (const std::size_t j : others) {
+        if (rank[i] < rank[j] && curve_of(i) != curve_of(j)) cross_by_curve(i, j);
       }
     }
     return std::move(result_);
@@ -111,6 +118,10 @@ class Crossings {
   }
   const RoughEllipse& ellipse_of(std::size_t i) const { return *ellipses_[curve_of(i)]; }
   SegmentD chord_of(std::size_t i) const { return in_.rough(tree_.chords()[i].segment); }
+
+  // Earlier crossings are used again, so their order must not be that of the input.
+  std::vector<std::size_t> lines_in_order() const;
+  std::vector<std::size_t> chords_in_order() const;
 
   Part part_at(std::size_t i, const PointD& place) const;
   /// The vertex at the start or the end of a chord.
@@ -134,6 +145,38 @@ class Crossings {
   std::map<std::size_t, std::vector<Point>> places_;  ///< found so far, by segment of the chord
   PointsOnCurves result_;
 };
+
+/// The lines near curves, by their ends.
+std::vector<std::size_t> Crossings::lines_in_order() const {
+  std::vector<std::tuple<Point, Point, std::size_t>> lines;
+  for (std::size_t s = 0; s < in_.segments.size(); ++s) {
+    if (in_.is_chord[s] || tree_.tree().meeting(in_.rough(s)).empty()) continue;
+    Point a = in_.end_of(s, false), b = in_.end_of(s, true);
+    if (b < a) std::swap(a, b);
+    lines.emplace_back(std::move(a), std::move(b), s);
+  }
+  std::sort(lines.begin(), lines.end());
+  std::vector<std::size_t> order;
+  for (const auto& line : lines) order.push_back(std::get<2>(line));
+  return order;
+}
+
+/// By their ellipses and their ends.
+std::vector<std::size_t> Crossings::chords_in_order() const {
+  std::vector<std::size_t> order(tree_.chords().size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto ellipse = [&](std::size_t i) -> const Ellipse& {
+    return *in_.curves[curve_of(i)].ellipse;
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    if (i == j) return false;
+    const Ellipse &e = ellipse(i), &f = ellipse(j);
+    if (!(e == f)) return std::tie(e.centre, e.u, e.v) < std::tie(f.centre, f.u, f.v);
+    const Point a = vertex(i, Part::AtStart), b = vertex(j, Part::AtStart);
+    return a != b ? a < b : vertex(i, Part::AtEnd) < vertex(j, Part::AtEnd);
+  });
+  return order;
+}
 
 Part Crossings::part_at(std::size_t i, const PointD& place) const {
   const RoughEllipse& ellipse = ellipse_of(i);
@@ -165,7 +208,8 @@ bool Crossings::has_vertex_on(std::size_t i, const Point& a, const Point& b) con
 void Crossings::cross_by_line(std::size_t segment, std::size_t i) {
   if (!is_large(i)) return;
   const RoughEllipse& ellipse = ellipse_of(i);
-  const auto ends = in_.rough(segment);
+  auto ends = in_.rough(segment);
+  if (in_.end_of(segment, true) < in_.end_of(segment, false)) std::swap(ends.a, ends.b);
   const PointD a = ellipse.in(ends.a), b = ellipse.in(ends.b);
   const PointD d{b.x - a.x, b.y - a.y};
   const double squared = dot(d, d), along = dot(a, d);
@@ -183,20 +227,16 @@ void Crossings::cross_by_line(std::size_t segment, std::size_t i) {
   }
 }
 
-/// A point of the segment, by its part of it.
+/// A point of the segment, by its part of it from the lesser end on: the same for either direction.
 void Crossings::cross_at(std::size_t segment, std::size_t i, double t) {
-  const SegmentD rough = in_.rough(segment);
+  Point a = in_.end_of(segment, false), b = in_.end_of(segment, true);
+  if (b < a) std::swap(a, b);
+  const SegmentD rough{nearest(a), nearest(b)};
   const double reach = distance(rough.a, rough.b);
   if (t * reach <= in_.slack || (1 - t) * reach <= in_.slack) return;
   const Part part = part_at(i, point_at(rough, t));
-  if (part == Part::Outside) return;
-  Point a = in_.end_of(segment, false), b = in_.end_of(segment, true);
-  if (has_vertex_on(i, a, b)) return;
+  if (part == Part::Outside || has_vertex_on(i, a, b)) return;
   if (part != Part::Inside && on_segment(a, b, vertex(i, part))) return;
-  if (b < a) {  // the same place for either direction
-    std::swap(a, b);
-    t = 1 - t;
-  }
   const Rational exact = decimal(t, digits_of(kCrossing * in_.extent / reach));
   if (sgn(exact) <= 0 || cmp(exact, 1) >= 0) return;
   add(i, part, {a.x + exact * (b.x - a.x), a.y + exact * (b.y - a.y)});
