@@ -53,15 +53,14 @@ std::vector<End> ends_of_curves(const CurvesInPlace& in) {
   return ends;
 }
 
-/// Boxes around the ends that have no place yet, of what may be joined to them.
+/// The ends that have no place yet, each with what lies within its bound and `more`.
 class OpenEnds {
  public:
-  OpenEnds(const CurvesInPlace& in, const std::vector<End>& ends) {
+  OpenEnds(const CurvesInPlace& in, const std::vector<End>& ends, double more = 0) {
     std::vector<BoxD> boxes;
     for (std::size_t i = 0; i < ends.size(); ++i) {
       if (ends[i].place) continue;
-      const PointD p = nearest(ends[i].at);
-      boxes.push_back(grown({p, p}, in.within(ends[i].bound + in.most) + in.slack));
+      boxes.push_back(in.around(ends[i].at, ends[i].bound + more));
       numbers_.push_back(i);
     }
     tree_.emplace(boxes);
@@ -122,8 +121,7 @@ std::vector<std::size_t> take_authored_ends(std::vector<End>& ends, const Curves
   const OpenEnds open(in, ends);
   Nearest nearest_place(ends.size());
   for (const Authored& p : points) {
-    const PointD at = nearest(p.at);
-    for (const std::size_t i : open.near(BoxD{at, at})) {
+    for (const std::size_t i : open.near(in.around(p.at, p.rounding))) {
       Rational squared = squared_distance(ends[i].at, p.at);
       if (nearest_sqrt(squared) > in.within(ends[i].bound + p.rounding)) continue;
       nearest_place.offer(i, std::move(squared), p.at);
@@ -140,8 +138,7 @@ void take_ends_of_curves(std::vector<End>& ends, const CurvesInPlace& in) {
   };
   UnionFind sets(ends.size());
   for (const std::size_t i : open.numbers()) {
-    const PointD at = nearest(ends[i].at);
-    for (const std::size_t j : open.near(BoxD{at, at})) {
+    for (const std::size_t j : open.near(in.around(ends[i].at, ends[i].bound))) {
       if (j != i && are_near(ends[i], ends[j])) sets.unite(i, j);
     }
   }
@@ -159,13 +156,30 @@ void take_ends_of_curves(std::vector<End>& ends, const CurvesInPlace& in) {
   }
 }
 
+/// The rounding that nine of ten lines do not exceed: others may be strays far away.
+double usual_rounding(const CurvesInPlace& in) {
+  std::vector<double> sorted = in.rounding;
+  if (sorted.empty()) return 0;
+  const auto most = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
+  std::nth_element(sorted.begin(), most, sorted.end());
+  return *most;
+}
+
 /// Ends that are near no other one, but lie on a line.
 std::vector<std::size_t> take_lines(std::vector<End>& ends, const CurvesInPlace& in) {
-  const OpenEnds open(in, ends);
+  const double usual = usual_rounding(in);
+  const OpenEnds open(in, ends, usual);
+  const auto near_line = [&](std::size_t s) {
+    const SegmentD line = in.rough(s);
+    if (in.rounding[s] <= usual) return open.near(line);
+    BoxD box{line.a, line.a};
+    box.include(line.b);
+    return open.near(grown(box, in.within(in.rounding[s])));
+  };
   Nearest nearest_foot(ends.size());
   for (std::size_t s = 0; s < in.segments.size(); ++s) {
     if (in.is_chord[s] || open.numbers().empty()) continue;
-    for (const std::size_t i : open.near(in.rough(s))) {
+    for (const std::size_t i : near_line(s)) {
       const Point a = in.end_of(s, false), b = in.end_of(s, true);
       const Rational ux = b.x - a.x, uy = b.y - a.y;
       const Rational along =
@@ -204,19 +218,24 @@ PointsOnCurves moved_ends(std::vector<End>& ends, const CurvesInPlace& in) {
 
 /// By chord, along it, each place once.
 void sort(std::vector<Joint>& joints, const CurvesInPlace& in) {
-  const auto along = [&](const Joint& j) {
-    const Point a = in.end_of(j.chord, false), b = in.end_of(j.chord, true);
-    return Rational((b.x - a.x) * j.place.x + (b.y - a.y) * j.place.y);
-  };
-  std::sort(joints.begin(), joints.end(), [&](const Joint& i, const Joint& j) {
-    if (i.chord != j.chord) return i.chord < j.chord;
-    if (i.at != j.at) return i.at < j.at;
-    if (i.at == Joint::At::Inside) {
-      if (const int order = cmp(along(i), along(j)); order != 0) return order < 0;
+  std::vector<std::pair<Rational, Joint>> keyed;  // with the way along the chord
+  keyed.reserve(joints.size());
+  for (Joint& j : joints) {
+    Rational along = 0;
+    if (j.at == Joint::At::Inside) {
+      const Point a = in.end_of(j.chord, false), b = in.end_of(j.chord, true);
+      along = (b.x - a.x) * j.place.x + (b.y - a.y) * j.place.y;
     }
-    return i.place < j.place;
+    keyed.emplace_back(std::move(along), std::move(j));
+  }
+  std::sort(keyed.begin(), keyed.end(), [](const auto& i, const auto& j) {
+    return std::tie(i.second.chord, i.second.at, i.first, i.second.place) <
+           std::tie(j.second.chord, j.second.at, j.first, j.second.place);
   });
-  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  joints.clear();
+  for (auto& [along, j] : keyed) {
+    if (joints.empty() || !(joints.back() == j)) joints.push_back(std::move(j));
+  }
 }
 
 /// The joints of one kind, and what the ledger says of them, at the place of the first.

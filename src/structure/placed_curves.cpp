@@ -35,13 +35,7 @@ CurvesInPlace::CurvesInPlace(const PlacedCurves& placed)
     box.include(b);
   }
   extent = box.longer_side();
-  double of_curves = 0;
-  for (const Curve& c : curves) {
-    of_curves = std::max({of_curves, c.bound, c.end_bounds[0], c.end_bounds[1]});
-  }
-  most = of_curves;
-  if (!rounding.empty()) most += *std::max_element(rounding.begin(), rounding.end());
-  slack = kSlack * std::max({-box.low.x, -box.low.y, box.high.x, box.high.y});
+  slack = std::max(slack_at(box.low), slack_at(box.high));
 }
 
 PointD CurvesInPlace::rough(std::size_t segment, bool is_b) const {
@@ -68,6 +62,15 @@ std::optional<std::size_t> CurvesInPlace::chord_after(const Curve& curve, std::s
   return std::nullopt;
 }
 
+double CurvesInPlace::slack_at(const PointD& p) {
+  return kSlack * std::max(std::abs(p.x), std::abs(p.y));
+}
+
+BoxD CurvesInPlace::around(const Point& p, double bound) const {
+  const PointD at = nearest(p);
+  return grown({at, at}, within(bound) + slack_at(at));
+}
+
 double CurvesInPlace::within(double bound) const { return std::min(bound, kMostJoined * extent); }
 
 std::vector<Authored> authored_points(const CurvesInPlace& in) {
@@ -86,7 +89,6 @@ std::vector<Authored> authored_points(const CurvesInPlace& in) {
 }
 
 ChordTree::ChordTree(const CurvesInPlace& in) {
-  const double most = in.within(in.most) + in.slack;
   for (std::size_t c = 0; c < in.curves.size(); ++c) {
     const Curve& curve = in.curves[c];
     if (!curve.ellipse || !UnitFrame::is_proper(*curve.ellipse)) continue;
@@ -95,7 +97,8 @@ ChordTree::ChordTree(const CurvesInPlace& in) {
       BoxD box{a, a};
       box.include(b);
       chords_.push_back({curve.first + i, c});
-      boxes_.push_back(grown(box, curve.chord_bound + most));
+      const double slack = std::max(in.slack_at(a), in.slack_at(b));
+      boxes_.push_back(grown(box, curve.chord_bound + in.within(curve.bound) + slack));
     }
   }
   tree_ = std::make_unique<BoxTree>(boxes_);
@@ -129,7 +132,7 @@ PointsOnCurves points_on_curves(const CurvesInPlace& in, const ChordTree& chords
     result.farthest = std::max(result.farthest, off);
   };
   for (const Authored& p : points) {
-    for (const std::size_t i : chords.tree().at(nearest(p.at))) {
+    for (const std::size_t i : chords.tree().meeting(in.around(p.at, p.rounding))) {
       if (chords.chords()[i].curve != p.curve) add(p, chords.chords()[i]);
     }
   }

@@ -17,8 +17,7 @@ struct CurvesInPlace {
   const std::vector<double>& rounding;  ///< per segment
   std::vector<bool> is_chord = {};      ///< per segment
   double extent = 0;
-  double most = 0;   ///< the largest rounding and the largest bound of a curve
-  double slack = 0;  ///< more than the rounding of a few operations on coordinates in doubles
+  double slack = 0;  ///< `slack_at` the place of the largest coordinate
 
   explicit CurvesInPlace(const PlacedCurves& placed);
 
@@ -36,6 +35,10 @@ struct CurvesInPlace {
   std::optional<std::size_t> chord_after(const Curve& curve, std::size_t chord) const;
   /// A bound on how far curves may be moved, cut to what they may at all.
   double within(double bound) const;
+  /// More than the rounding of a few operations on coordinates there in doubles.
+  static double slack_at(const PointD& p);
+  /// What may lie within this bound of the point.
+  BoxD around(const Point& p, double bound) const;
 };
 
 /// A point that curves may be joined to, known within `rounding`; of a curve's own end which one.
