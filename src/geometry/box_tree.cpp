@@ -40,10 +40,6 @@ BoxTree::BoxTree(std::span<const BoxD> boxes)
 
 BoxTree::~BoxTree() = default;
 
-std::vector<std::size_t> BoxTree::at(const PointD& p) const {
-  return tree_->meeting(Tree::corner(p));
-}
-
 std::vector<std::size_t> BoxTree::meeting(const SegmentD& s) const {
   using Line = boost::geometry::model::segment<Tree::Corner>;
   return tree_->meeting(Line(Tree::corner(s.a), Tree::corner(s.b)));

@@ -18,7 +18,6 @@ class BoxTree {
   BoxTree& operator=(const BoxTree&) = delete;
   ~BoxTree();
 
-  std::vector<std::size_t> at(const PointD& p) const;
   std::vector<std::size_t> meeting(const SegmentD& s) const;
   std::vector<std::size_t> meeting(const BoxD& box) const;
 

@@ -87,18 +87,18 @@ class Crossings {
   }
 
   PointsOnCurves run() && {
-    for (const std::size_t s : lines_in_order()) {
-      for (const std::size_t i : tree_.tree().meeting(in_.rough(s))) cross_by_line(s, i);
+    const std::vector<std::size_t> order = group_chords();
+    std::vector<BoxD> boxes;
+    for (const std::size_t i : order) boxes.push_back(tree_.box(i));
+    const BoxTree tree(boxes);
+    for (const std::size_t s : lines_in_order(tree)) {
+      for (const std::size_t k : tree.meeting(in_.rough(s))) cross_by_line(s, order[k]);
     }
-    const std::vector<std::size_t> order = chords_in_order();
-    std::vector<std::size_t> rank(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
-    for (const std::size_t i : order) {
-      std::vector<std::size_t> others = tree_.tree().meeting(tree_.box(i));
-      std::sort(others.begin(), others.end(),
-                [&](std::size_t j, std::size_t k) { return rank[j] < rank[k]; });
-      for (const std::size_t j : others) {
-        if (rank[i] < rank[j] && curve_of(i) != curve_of(j)) cross_by_curve(i, j);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      for (const std::size_t l : tree.meeting(boxes[k])) {
+        if (k < l && ellipse_at(order[k]) != ellipse_at(order[l])) {
+          cross_by_curve(order[k], order[l]);
+        }
       }
     }
     return std::move(result_);
@@ -120,8 +120,9 @@ class Crossings {
   SegmentD chord_of(std::size_t i) const { return in_.rough(tree_.chords()[i].segment); }
 
   // Earlier crossings are used again, so their order must not be that of the input.
-  std::vector<std::size_t> lines_in_order() const;
-  std::vector<std::size_t> chords_in_order() const;
+  std::vector<std::size_t> lines_in_order(const BoxTree& tree) const;
+  std::vector<std::size_t> group_chords();
+  const Ellipse& ellipse_at(std::size_t i) const { return *in_.curves[curve_of(i)].ellipse; }
 
   Part part_at(std::size_t i, const PointD& place) const;
   /// The vertex at the start or the end of a chord.
@@ -142,15 +143,16 @@ class Crossings {
   const std::vector<Joint>& known_;
   const int digits_;
   std::vector<std::optional<RoughEllipse>> ellipses_;
+  std::vector<std::vector<std::size_t>> copies_;      ///< of the first chord of a group, itself too
   std::map<std::size_t, std::vector<Point>> places_;  ///< found so far, by segment of the chord
   PointsOnCurves result_;
 };
 
 /// The lines near curves, by their ends.
-std::vector<std::size_t> Crossings::lines_in_order() const {
+std::vector<std::size_t> Crossings::lines_in_order(const BoxTree& tree) const {
   std::vector<std::tuple<Point, Point, std::size_t>> lines;
   for (std::size_t s = 0; s < in_.segments.size(); ++s) {
-    if (in_.is_chord[s] || tree_.tree().meeting(in_.rough(s)).empty()) continue;
+    if (in_.is_chord[s] || tree.meeting(in_.rough(s)).empty()) continue;
     Point a = in_.end_of(s, false), b = in_.end_of(s, true);
     if (b < a) std::swap(a, b);
     lines.emplace_back(std::move(a), std::move(b), s);
@@ -161,21 +163,29 @@ std::vector<std::size_t> Crossings::lines_in_order() const {
   return order;
 }
 
-/// By their ellipses and their ends.
-std::vector<std::size_t> Crossings::chords_in_order() const {
+/// One of each group of the same chords, by their ellipses and their ends; the others are its
+/// copies.
+std::vector<std::size_t> Crossings::group_chords() {
   std::vector<std::size_t> order(tree_.chords().size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto ellipse = [&](std::size_t i) -> const Ellipse& {
-    return *in_.curves[curve_of(i)].ellipse;
+  const auto ends = [&](std::size_t i) {
+    return std::pair(vertex(i, Part::AtStart), vertex(i, Part::AtEnd));
   };
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    if (i == j) return false;
-    const Ellipse &e = ellipse(i), &f = ellipse(j);
+    const Ellipse &e = ellipse_at(i), &f = ellipse_at(j);
     if (!(e == f)) return std::tie(e.centre, e.u, e.v) < std::tie(f.centre, f.u, f.v);
-    const Point a = vertex(i, Part::AtStart), b = vertex(j, Part::AtStart);
-    return a != b ? a < b : vertex(i, Part::AtEnd) < vertex(j, Part::AtEnd);
+    return ends(i) < ends(j);
   });
-  return order;
+  std::vector<std::size_t> groups;
+  copies_.resize(order.size());
+  for (const std::size_t i : order) {
+    if (groups.empty() || !(ellipse_at(groups.back()) == ellipse_at(i)) ||
+        ends(groups.back()) != ends(i)) {
+      groups.push_back(i);
+    }
+    copies_[groups.back()].push_back(i);
+  }
+  return groups;
 }
 
 Part Crossings::part_at(std::size_t i, const PointD& place) const {
@@ -326,23 +336,27 @@ void Crossings::cross_by_curve(std::size_t i, std::size_t j) {
   }
 }
 
-/// A vertex of the curve; near one that its chords have already this one moves there, unless the
-/// curve ends in it.
+/// A vertex of the curve and of its copies; near one that its chords have already this one moves
+/// there, unless the curve ends in it.
 void Crossings::add(std::size_t i, Part part, const Point& place) {
-  const auto& [segment, c] = tree_.chords()[i];
-  const Curve& curve = in_.curves[c];
   if (part != Part::Inside && vertex(i, part) == place) return;
-  if (part == Part::Inside) {
-    result_.joints.push_back({segment, Joint::At::Inside, place});
-  } else {
+  const std::size_t before = result_.joints.size();
+  for (const std::size_t copy : copies_[i]) {
+    const auto& [segment, c] = tree_.chords()[copy];
+    if (part == Part::Inside) {
+      result_.joints.push_back({segment, Joint::At::Inside, place});
+      continue;
+    }
+    const Curve& curve = in_.curves[c];
     const bool is_start = part == Part::AtStart;
     const auto other =
         is_start ? in_.chord_before(curve, segment) : in_.chord_after(curve, segment);
-    if (!other) return;
+    if (!other) continue;
     result_.joints.push_back({is_start ? *other : segment, Joint::At::End, place});
     result_.joints.push_back({is_start ? segment : *other, Joint::At::Start, place});
   }
-  places_[segment].push_back(place);
+  if (result_.joints.size() == before) return;
+  places_[tree_.chords()[i].segment].push_back(place);
   ++result_.count;
   const PointD q = ellipse_of(i).in(nearest(place));
   const double off = std::abs(std::hypot(q.x, q.y) - 1) * ellipse_of(i).reach();

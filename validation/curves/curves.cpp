@@ -48,7 +48,8 @@ LooseEnds loose_ends(const ExactComplex& complex, double reach) {
     if (degree[v] != 1) continue;
     ++result.all;
     const Point p = complex.vertices[v];
-    for (const std::size_t i : tree.at(complex.vertices.nearest(v))) {
+    const PointD at = complex.vertices.nearest(v);
+    for (const std::size_t i : tree.meeting(BoxD{at, at})) {
       const Edge& e = complex.edges[i];
       if (e.tail == v || e.head == v) continue;
       if (squared_distance(p, complex.vertices[e.tail], complex.vertices[e.head]) > squared) {
