@@ -61,6 +61,14 @@ struct Cause {
   /// With the stage replaced by its exact counterpart and the later ones run as they are, these
   /// make the finding again. None: not tried, as for kParse and kTransform, and on large drawings.
   std::optional<bool> remade = {};
+  /// Of a stage that joins what is near: how far apart what it joined there is. **Rounded**.
+  std::optional<double> distance = {};
+  /// A radius with which the engine was run, and the finding was not there: the largest of those
+  /// tried. None: there is none among them, or none were tried.
+  std::optional<double> radius_without = {};
+  /// What else it takes to make the finding, in the order of the stages: this stage alone makes a
+  /// part of it.
+  std::vector<Cause> with = {};
 };
 struct Explained {
   Finding finding;
