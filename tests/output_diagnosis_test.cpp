@@ -107,3 +107,16 @@ TEST_CASE("the picture has a panel for each kind, with what was left out") {
   const ExactComplex empty = arrange(nothing);
   CHECK(svg.load_string(to_svg(diagnose(nothing, empty), nothing, empty).c_str()));
 }
+
+TEST_CASE("places have the drawing's own digits, or as many as the search distance asks for") {
+  const SegmentSet input = segments(
+      "377421.47 5705568.59 377431.47 5705568.59  377421.47000000003 5705568.6 377421.4 5705590"
+      "  377440 5705590 377445 5705590  377443 5705591 377447 5705588");
+  const auto text = [&](const char* within) {
+    const Rational distance = parse_decimal(within);
+    return to_text(diagnose(input, arrange(input), {distance}), input);
+  };
+  CHECK(text("0.02").find("at (377421.47, 5705568.595): two lines end") != std::string::npos);
+  CHECK(text("0.001").find("at (377447, 5705588)") != std::string::npos);
+  CHECK(text("0").find("at (377421.47, 5705568.59): a line") != std::string::npos);
+}

@@ -20,10 +20,9 @@ void append_defect_counts(std::string& text, const Diagnosis& diagnosis) {
 }
 
 void append_defect(std::string& text, const SegmentSet& input, const Defect& defect,
-                   std::size_t defect_number) {
-  const PointD place = nearest(defect.where);
-  text += fmt::format("{:>6}. at ({}, {}): {}\n", defect_number, short_number(place.x),
-                      short_number(place.y), line_text(defect.message));
+                   std::size_t defect_number, double within) {
+  text += fmt::format("{:>6}. at {}: {}\n", defect_number, place_text(defect.where, within),
+                      line_text(defect.message));
   text += input_lines(input, defect.segments, "        ");
 }
 
@@ -37,7 +36,7 @@ void append_defects(std::string& text, const SegmentSet& input, const Diagnosis&
     std::size_t shown = 0;
     for (; i < all.size() && all[i].kind == kind; ++i) {
       if (shown < limit) {
-        append_defect(text, input, all[i], i + 1);
+        append_defect(text, input, all[i], i + 1, nearest_double(diagnosis.within));
         ++shown;
       }
     }
