@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "plumbline/check/groups.hpp"
 #include "plumbline/engine.hpp"
 #include "plumbline/ladder.hpp"
 
@@ -39,9 +40,13 @@ struct Check {
   Answer answer;
   Comparison comparison;                 ///< of the answer with the exact complex
   std::vector<Cause> causes;             ///< of the findings of `comparison`, one each, or none
+  std::vector<FindingGroup> groups;      ///< of its findings: what hangs together
   Comparison conversion;                 ///< of the complex over the doubles with the exact complex
   std::vector<Cause> conversion_causes;  ///< of its findings
-  Drift drift;                           ///< of the exact complex: what the digits leave open
+  /// Of the exact complex, how many vertices are nearer to another one than the answer's radius;
+  /// rounded distances decide. 0 where the two agree or there is no radius.
+  std::size_t crowded_vertices = 0;
+  Drift drift;  ///< of the exact complex: what the digits leave open
   // Filled in by `advised`.
   std::optional<FeatureSize> feature_size;  ///< of the exact complex
   std::optional<ToleranceLadder> ladder;    ///< of the exact complex

@@ -37,8 +37,10 @@ struct Finding {
   std::optional<double> distance;        ///< how far things moved, in drawing units
   std::optional<Rational> squared_distance;  ///< its square, exact
   std::optional<Rational> area;              ///< of the symmetric difference of the faces, exact
-  std::vector<SegmentId> segments;           ///< the input segments involved, ascending
-  std::vector<std::size_t> because;          ///< numbers of earlier findings that it follows from
+  /// Of a face that is Missing or Extra the face of the other side at its place, where one is.
+  std::optional<std::size_t> lies_in;
+  std::vector<SegmentId> segments;   ///< the input segments involved, ascending
+  std::vector<std::size_t> because;  ///< numbers of earlier findings that it follows from
 };
 
 /// Which cells are compared.

@@ -5,6 +5,7 @@
 #include "check/attribute.hpp"
 #include "check/without_drift.hpp"
 #include "compare/wrong_cells.hpp"
+#include "geometry/point_tree.hpp"
 #include "plumbline/arrange.hpp"
 
 namespace plumbline {
@@ -78,6 +79,14 @@ void add_failures(Check& result) {
   }
 }
 
+std::size_t crowded_vertices(const ExactComplex& complex, double radius) {
+  const FloatComplex rounded = nearest(complex);
+  const PointTree tree(rounded.vertices);
+  return static_cast<std::size_t>(
+      std::count_if(rounded.vertices.begin(), rounded.vertices.end(),
+                    [&](const PointD& p) { return tree.nearest(p, 2, radius).size() > 1; }));
+}
+
 /// Adds what the answer left out to what the drawing's reader did.
 void add_dropped(SegmentSet& input, const Answer& answer) {
   if (answer.dropped.empty()) return;
@@ -106,6 +115,11 @@ Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
   result.drift = drift(result.input, result.exact_complex);
   check_steps::take_from_drawing(result, options.threads);
   add_failures(result);
+  result.groups =
+      group_findings(result.comparison, result.causes, result.exact_complex, result.answer.complex);
+  if (!result.agree() && result.answer.radius) {
+    result.crowded_vertices = crowded_vertices(result.exact_complex, *result.answer.radius);
+  }
   add_dropped(result.input, result.answer);
   return result;
 }

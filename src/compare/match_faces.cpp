@@ -246,7 +246,11 @@ void add_place(Finding& finding, const Sides& sides, const Group& group, const P
   const auto place = places[side].find(last);
   finding.where =
       place != places[side].end() ? place->second.inside : place_in(sides[side], FaceId(last));
-  if (m == 0 || n == 0) finding.message += note(places, side, last);
+  if (m > 0 && n > 0) return;
+  finding.message += note(places, side, last);
+  if (place != places[side].end() && place->second.there.valid()) {
+    finding.lies_in = place->second.there;
+  }
 }
 
 /// Numbers the groups; where one is one to one, its faces match.

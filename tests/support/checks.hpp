@@ -22,6 +22,7 @@ struct Example {
     result.answer.title = result.answer.short_title = "float LAR";
     result.answer.radius = 0.0625;
     result.comparison = comparison;
+    result.groups = group_findings(comparison, {}, exact_complex, float_complex);
     result.conversion = plumbline::compare(exact_complex, exact_complex, 0);
     return result;
   }
@@ -43,6 +44,7 @@ struct Agreement {
     result.answer.title = result.answer.short_title = "float LAR";
     result.answer.radius = 0.0625;
     result.comparison = comparison;
+    result.groups = group_findings(comparison, {}, exact_complex, float_complex);
     result.conversion = plumbline::compare(exact_complex, exact_complex, 0);
     return result;
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "plumbline/check/groups.hpp"
+
 namespace plumbline::mutations {
 namespace {
 
@@ -63,6 +65,16 @@ std::string miss(const ExactComplex& right, const Broken& broken) {
     wrong += to_text(name) + (std::any_of(findings.begin(), findings.end(), is_named)
                                   ? " is not in its place\n"
                                   : " is not found\n");
+  }
+  const auto groups = group_findings(result, {}, right, nearest(broken.complex));
+  if (groups.size() > broken.groups) {
+    wrong += "found in " + std::to_string(groups.size()) + " groups:";
+    for (const FindingGroup& group : groups) {
+      wrong += " [";
+      for (const std::size_t number : group.findings) wrong += " " + std::to_string(number);
+      wrong += " ]";
+    }
+    wrong += '\n';
   }
   return wrong.empty() ? wrong : wrong + listed(result.findings);
 }

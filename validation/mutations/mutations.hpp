@@ -30,6 +30,9 @@ struct Broken {
   double tolerance = 0;
   std::vector<Name> names;
   std::vector<Point> places;
+  /// At most so many groups of findings: one, or two where something is gone in one place and there
+  /// is something in another that nothing connects with it.
+  std::size_t groups = 1;
 };
 
 struct Mutation {

@@ -178,7 +178,7 @@ std::optional<Broken> cut_corner(Right& right) {
   const bool is_elsewhere = std::find(complex.vertices.begin(), complex.vertices.end(),
                                       right.point(v)) == complex.vertices.end();
   if (!is_elsewhere || complex.vertices.size() + 1 != right->vertices.size()) return {};
-  return Broken{std::move(complex), 0, {kVertexMissing}, {right.point(v)}};
+  return Broken{std::move(complex), 0, {kVertexMissing}, {right.point(v)}, 2};
 }
 
 std::optional<Broken> drop_component(Right& right) {

@@ -15,7 +15,7 @@ double tolerance(const Right& right) { return nearest_double(right.small()) / 2;
 Broken with_vertex_at(const Right& right, VertexId v, const Point& p) {
   Parts parts(*right);
   parts.vertices[v] = p;
-  return {parts.complex(), tolerance(right), {kMoved}, {right.point(v), p}};
+  return {parts.complex(), tolerance(right), {kMoved}, {right.point(v), p}, 2};
 }
 
 VertexId with_edges(Right& right) {
@@ -26,7 +26,9 @@ std::optional<Broken> move_a_little(Right& right) {
   const VertexId v = with_edges(right);
   if (!v.valid()) return {};
   const Point p = right.point(v), step = right.small_step();
-  return with_vertex_at(right, v, {p.x + step.x, p.y + step.y});
+  Broken result = with_vertex_at(right, v, {p.x + step.x, p.y + step.y});
+  result.groups = 1;
+  return result;
 }
 
 /// To the middle of some edge, and then some: edges cross, or faces turn over.
@@ -85,7 +87,7 @@ std::optional<Broken> exchange_vertices(Right& right) {
   if (!v.valid() || !w.valid()) return {};
   Parts parts(*right);
   std::swap(parts.vertices[v], parts.vertices[w]);
-  Broken result{parts.complex(), 0, {{CellKind::Edge, Disagreement::Missing}}, {}};
+  Broken result{parts.complex(), 0, {{CellKind::Edge, Disagreement::Missing}}, {}, 3};
   for (const VertexId i : {v, w}) {
     result.places.push_back(right.point(i));
     for (const VertexId n : right.neighbours(i)) result.places.push_back(right.point(n));
@@ -141,6 +143,7 @@ std::optional<Broken> mirror(Right& right) {
     result.places.push_back({-right.point(VertexId(v)).x, right.point(VertexId(v)).y});
   }
   result.names = {broken(Invariant::Orientation)};
+  result.groups = 2;
   return result;
 }
 
