@@ -120,8 +120,10 @@ TEST_CASE("findings within the file's own drift are never blamed on float LAR") 
   CHECK(result.drift.largest < 1e-13);
   CHECK_FALSE(result.agree());
   CHECK(result.own_findings() == result.comparison.findings.size());
-  CHECK(first_line(result) == "agree but for the file's own drift: " +
-                                  std::to_string(result.own_findings()) + " findings");
+  CHECK(first_line(result) ==
+        "agree but for the file's own drift: " + std::to_string(result.own_findings()) +
+            " findings in " + std::to_string(result.groups.size()) + " group" +
+            (result.groups.size() == 1 ? "" : "s"));
 }
 
 TEST_CASE("with short decimals there is nothing to find") {

@@ -46,42 +46,33 @@ std::vector<FindingPlace> square_of_places(std::size_t side, double distance) {
 
 }  // namespace
 
-TEST_CASE("the text begins with the verdict and tells counts, exactness and each finding") {
+TEST_CASE("the text begins with the verdict and tells counts, exactness and each group") {
   CHECK(to_text(Example().checked()) ==
-        R"(disagree: 3 findings
+        R"(disagree: 3 findings in 1 group
 
                     as authored  over doubles   float LAR
 vertices                      4             4           3
 edges                         4             4           3
 faces                         2             2           2
-holes                         0             0           0
-isolated vertices             0             0           0
-components                    1             1           1
-antennas                      0             0           0
-depth                         1             1           1
-(faces with the unbounded one, holes of bounded faces)
 matched one to one: 3 vertices, 3 edges, 1 faces
 radius 0.0625, tolerance 0.125, largest displacement 0
 input: 4 segments, 0 points; 0 rejected
 exactness: every coordinate is exactly what the file says
 
-   1. vertex merged at (4, 0): two exact vertices 0.01 apart became one float vertex
+   1. 1 face reshaped (by 0.02 of area)
+      1 vertex merged, 1 edge merged; at (4, 0)
       text:1:1 text
-      text:2:1 text
-      text:3:1 text
-   2. edge merged at (4, 0): one exact edge no longer than 0.01 collapsed into one float vertex
-      text:1:1 text
-      text:2:1 text
-   3. face reshaped at (1, 2.005): a face has other edges on its outer boundary, because of finding 2
-      text:2:1 text
 )");
 }
 
-TEST_CASE("the text shows as many findings as asked for and says how many more there are") {
+TEST_CASE("the text lists the findings of as many groups as asked for") {
   const std::string text = to_text(Example().checked(), 1);
-  CHECK(text.find("   1. ") != std::string::npos);
-  CHECK(text.find("   2. ") == std::string::npos);
-  CHECK(text.find("\n... and 2 more (see -o report.json)\n") != std::string::npos);
+  CHECK(text.find("      finding 3: face reshaped at (1, 2.005): a face has other edges on its "
+                  "outer boundary, because of finding 2\n        text:2:1 text\n") !=
+        std::string::npos);
+  CHECK(to_text(Example().checked(), 0)
+            .find("\n1 more groups (--list 1 prints more, with findings; --report page.html)\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("an agreement is said in the first line, and there is no list") {
@@ -96,8 +87,7 @@ TEST_CASE("rejected items and replaced numbers are counted in the text") {
   input.ledger = {
       {{}, "rotate(30)", "1e-15 rad"}, {{}, "rotate(31)", "1e-15 rad"}, {{}, "skewX(3)", "1e-9"}};
   const std::string text = to_text(Agreement{input}.checked());
-  CHECK(text.find("; 1 rejected\n  rejected text:7:2 circle #c: curves are not understood\n") !=
-        std::string::npos);
+  CHECK(text.find("; 1 rejected: curves are not understood (1)\n") != std::string::npos);
   CHECK(text.find("exactness: 3 numbers were replaced, by at most 1e-15 rad (2), 1e-9 (1)\n") !=
         std::string::npos);
 }
@@ -106,7 +96,7 @@ TEST_CASE("JSON holds every finding with places, cells, distance and sources") {
   rapidjson::Document json;
   json.Parse(to_json(Example().checked()).c_str());
   REQUIRE(!json.HasParseError());
-  CHECK(std::string(json["format"].GetString()) == "plumbline check 2");
+  CHECK(std::string(json["format"].GetString()) == "plumbline check 3");
   CHECK(std::string(json["verdict"].GetString()) == "disagree");
   CHECK(json["float_valid"].GetBool());
   CHECK(json["exact"].GetBool());
@@ -129,6 +119,22 @@ TEST_CASE("JSON holds every finding with places, cells, distance and sources") {
   CHECK(json["findings"][2]["distance"].IsNull());
 }
 
+TEST_CASE("JSON leads with groups of findings, with what became of faces") {
+  rapidjson::Document json;
+  json.Parse(to_json(Example().checked()).c_str());
+  REQUIRE(json["groups"].Size() == 1);
+  const auto& group = json["groups"][0];
+  CHECK(std::string(group["message"].GetString()) ==
+        "1 face reshaped (by 0.02 of area); 1 vertex merged, 1 edge merged; at (4, 0)");
+  CHECK(group["findings"].Size() == 3);
+  CHECK(group["lead"].GetUint() == 2);
+  CHECK(group["area"].GetDouble() == Approx(0.02));
+  CHECK(std::string(group["faces"][0]["change"].GetString()) == "reshaped");
+  CHECK(group["faces"][0]["areas"][0].GetDouble() == Approx(8.02));
+  CHECK(group["low"][0].GetDouble() == 4);
+  CHECK(group["high"][1].GetDouble() == 0.01);
+}
+
 TEST_CASE("names from outside break no format") {
   Example example;
   example.input.files[0] = kEvilName;
@@ -138,7 +144,7 @@ TEST_CASE("names from outside break no format") {
   CHECK(std::string(json["files"][0].GetString()) == "<a&\"b\"\n\uFFFD>.svg");
   CHECK(to_text(example.checked()).find("<a&\"b\"\uFFFD\uFFFD>.svg:1:1") != std::string::npos);
   CHECK(texts(parsed_svg(to_svg(example.checked())))
-            .count("<a&\"b\"\n\uFFFD>.svg: disagree: 3 findings") == 1);
+            .count("<a&\"b\"\n\uFFFD>.svg: disagree: 3 findings in 1 group") == 1);
 }
 
 TEST_CASE("text that is no UTF-8 is replaced byte by byte, valid text is kept") {
@@ -155,7 +161,7 @@ TEST_CASE("the picture has two titled panels, and a number at each place in both
   const std::multiset<std::string> all = texts(svg);
   CHECK(all.count("exact") == 1);
   CHECK(all.count("float LAR, radius 0.0625") == 1);
-  CHECK(all.count("text: disagree: 3 findings") == 1);
+  CHECK(all.count("text: disagree: 3 findings in 1 group") == 1);
   CHECK(all.count("V 4   E 4   F 2") == 1);
   CHECK(all.count("1, 2") == 2);
   CHECK(all.count("3") == 2);

@@ -70,8 +70,10 @@ std::string to_lines(const ExactComplex& complex);
 /// the input and this is noticed; that no claim is wrong is for the checker to say.
 std::string certificate(const ExactComplex& complex, const SegmentSet& input);
 
-/// The verdict for a terminal: counts side by side, then the findings, numbered; `limit` of them.
-std::string to_text(const Check& check, std::size_t limit = 4);
+/// The verdict for a terminal: what to do, counts side by side, where findings come from, then the
+/// groups of findings, numbered: `listed` of them with their findings, or as many as fit on a
+/// screen of 40 lines.
+std::string to_text(const Check& check, std::optional<std::size_t> listed = {});
 /// The same as JSON, all findings.
 std::string to_json(const Check& check);
 /// Two panels of the same drawing, exact and float: faces filled by depth, edges, and every finding

@@ -63,7 +63,7 @@ struct AdvicePolicy {
   bool ladder = false;  ///< whether the tolerance ladder is needed in any case
 };
 /// Advice runs an engine a dozen times: unasked only where that takes a few seconds.
-inline constexpr std::size_t kMostEdgesForAdvice = 20'000;
+inline constexpr std::size_t kMostEdgesForAdvice = 50'000;
 
 /// The drawing held against the answer: `check`, which can tell parsing from transforming here.
 /// `begins` is told which part of the work begins.

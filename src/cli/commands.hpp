@@ -54,7 +54,7 @@ struct ArrangeArguments : DrawingArguments {
 
 struct CheckArguments : DrawingArguments {
   std::optional<std::string> against;
-  std::size_t listed = 4;  ///< findings printed
+  std::optional<std::size_t> listed;  ///< groups printed with their findings
   std::string engine = "lar";
   std::vector<std::string> settings;    ///< NAME=VALUE, its parameters
   std::optional<std::string> radius;    ///< of the engine, as text

@@ -104,7 +104,10 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
                   "coordinate]")
       ->check(finite())
       ->type_name("T");
-  command.add_option("--list", arguments.listed, "Print at most so many findings [default: 4]")
+  command
+      .add_option("--list", arguments.listed,
+                  "Print so many groups of findings, with the findings of each "
+                  "[default: as many groups as fit on a screen]")
       ->check(integer(0))
       ->type_name("N");
   command.add_option("-o,--output", arguments.output, "Write all findings to a JSON file")

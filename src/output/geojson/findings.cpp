@@ -1,5 +1,8 @@
 // The findings as a layer of points for geographic information systems: RFC 7946.
 
+#include <optional>
+#include <vector>
+
 #include "output/json/writer.hpp"
 #include "output/text/verdict.hpp"
 #include "plumbline/output.hpp"
@@ -21,9 +24,11 @@ std::string sources_text(const SegmentSet& input, const Finding& finding) {
   return words;
 }
 
-auto properties(const SegmentSet& input, const Finding& f, const Cause& cause, std::size_t number) {
+auto properties(const SegmentSet& input, const Finding& f, const Cause& cause, std::size_t number,
+                std::optional<std::size_t> group) {
   const bool has_place = f.kind != CellKind::Complex;
-  return object(member("number", number), member("kind", text(to_text(f.kind))),
+  return object(member("number", number), member("group", group),
+                member("kind", text(to_text(f.kind))),
                 member("disagreement", text(to_text(f.disagreement))),
                 member("invariant", text(f.invariant ? to_text(*f.invariant) : "")),
                 member("stage", text(cause.stage)), member("rule", text(cause.rule)),
@@ -51,11 +56,15 @@ auto named(const std::string& crs) {
 std::string to_geojson(const Check& check) {
   using namespace json;
   const std::vector<Finding>& findings = check.comparison.findings;
+  std::vector<std::optional<std::size_t>> group_of(findings.size());
+  for (std::size_t g = 0; g < check.groups.size(); ++g) {
+    for (const std::size_t number : check.groups[g].findings) group_of[number - 1] = g + 1;
+  }
   const auto feature = [&](std::size_t i) {
     const Cause cause = i < check.causes.size() ? check.causes[i] : Cause{};
-    return object(member("type", "Feature"), member("id", i + 1),
-                  member("geometry", geometry(findings[i])),
-                  member("properties", properties(check.input, findings[i], cause, i + 1)));
+    return object(
+        member("type", "Feature"), member("id", i + 1), member("geometry", geometry(findings[i])),
+        member("properties", properties(check.input, findings[i], cause, i + 1, group_of[i])));
   };
   return document(
       object(member("type", "FeatureCollection"),

@@ -3,6 +3,7 @@
 #include "output/json/check.hpp"
 
 #include "output/json/input.hpp"
+#include "output/text/groups.hpp"
 #include "output/text/verdict.hpp"
 #include "plumbline/output.hpp"
 
@@ -34,7 +35,8 @@ auto summary(const Check& check) {
                     member("findings", check.own_findings()))),
       member("engine", engine(check.answer)), member("float_valid", c.float_valid),
       member("exact", check.input.ledger.empty()), member("radius", check.answer.radius),
-      member("tolerance", c.tolerance), member("largest_displacement", c.largest_displacement),
+      member("crowded_vertices", check.crowded_vertices), member("tolerance", c.tolerance),
+      member("largest_displacement", c.largest_displacement),
       member("counts", object(member("exact", counts(c.exact_counts)),
                               member("doubles", counts(check.conversion.float_counts)),
                               member("float", counts(c.float_counts)))),
@@ -68,6 +70,25 @@ auto findings(const SegmentSet& input, const std::vector<Finding>& found,
               const std::vector<Cause>& causes) {
   return list(found.size(), [&](std::size_t i) {
     return finding(input, found[i], i < causes.size() ? &causes[i] : nullptr, i + 1);
+  });
+}
+
+auto changed_faces(const ChangedFaces& f) {
+  return object(member("change", to_text(f.change)), member("finding", f.finding),
+                member("areas", f.areas), member("area", f.area));
+}
+
+auto groups(const Check& check) {
+  return list(check.groups.size(), [&check](std::size_t i) {
+    const FindingGroup& group = check.groups[i];
+    const Finding& lead = check.comparison.findings[group.lead - 1];
+    return object(member("number", i + 1), member("message", to_text(group, check)),
+                  member("where", given(lead.kind != CellKind::Complex,
+                                        [&lead] { return place(lead.where); })),
+                  member("low", group.low), member("high", group.high), member("area", group.area),
+                  member("own", group.is_own), member("faces", list(group.faces, changed_faces)),
+                  member("lead", group.lead), member("findings", group.findings),
+                  member("sources", sources_of(check.input, lead.segments)));
   });
 }
 
@@ -113,12 +134,13 @@ auto feature_size(const FeatureSize& size) {
 
 Part check_members(const Check& check) {
   const Comparison& c = check.comparison;
-  return part_of(members(member("format", "plumbline check 2"), summary(check),
-                         member("findings", findings(check.input, c.findings, check.causes)),
-                         member("conversion", findings(check.input, check.conversion.findings,
-                                                       check.conversion_causes)),
-                         member("feature_size", given(check.feature_size, feature_size)),
-                         member("ladder", given(check.ladder, ladder)), radii(check.right_radii)));
+  return part_of(members(
+      member("format", "plumbline check 3"), summary(check), member("groups", groups(check)),
+      member("findings", findings(check.input, c.findings, check.causes)),
+      member("conversion",
+             findings(check.input, check.conversion.findings, check.conversion_causes)),
+      member("feature_size", given(check.feature_size, feature_size)),
+      member("ladder", given(check.ladder, ladder)), radii(check.right_radii)));
 }
 
 }  // namespace json

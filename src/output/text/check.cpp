@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "output/text/groups.hpp"
 #include "output/text/ladder.hpp"
 #include "output/text/terminal.hpp"
 #include "output/text/verdict.hpp"
@@ -15,10 +16,11 @@
 namespace plumbline {
 namespace {
 
-constexpr std::size_t kShownRejected = 5;
+constexpr std::size_t kShownReasons = 2;
 constexpr std::size_t kShownBounds = 4;
-constexpr std::size_t kShownKinds = 4;
-constexpr std::size_t kShownSteps = 5;
+constexpr std::size_t kShownCauses = 4;
+constexpr std::size_t kScreen = 40;        // lines
+constexpr std::size_t kShownOfGroup = 20;  // findings
 
 void append_cell_counts(std::string& text, const Check& check) {
   const Comparison& c = check.comparison;
@@ -27,37 +29,19 @@ void append_cell_counts(std::string& text, const Check& check) {
   for (const CountRow& row : count_rows()) {
     std::string name = row.name;
     std::replace(name.begin(), name.end(), '_', ' ');
+    const bool is_always_told = name == "vertices" || name == "edges" || name == "faces";
+    const std::size_t authored = c.exact_counts.*row.member;
+    const bool is_same = authored == check.conversion.float_counts.*row.member &&
+                         authored == c.float_counts.*row.member;
+    if (is_same && !is_always_told) continue;
     const bool is_of_graph = name == "vertices" || name == "edges" || name == "components";
     const bool is_known = c.compared == Compared::All || is_of_graph;
     text += fmt::format("{:<18}{:>13}{:>14}{:>12}\n", name, c.exact_counts.*row.member,
                         check.conversion.float_counts.*row.member,
                         is_known ? std::to_string(c.float_counts.*row.member) : "-");
   }
-  text += "(faces with the unbounded one, holes of bounded faces)\n";
   text += fmt::format("matched one to one: {} vertices, {} edges, {} faces\n", c.matched_vertices,
                       c.matched_edges, c.matched_faces);
-}
-
-std::string plural(CellKind kind) {
-  return kind == CellKind::Vertex ? "vertices" : to_text(kind) + 's';
-}
-
-/// "2 edges merged, 1 face missing", the most frequent first, some of them.
-std::string kinds(const std::vector<const Finding*>& findings) {
-  std::map<std::pair<CellKind, Disagreement>, std::size_t> counts;
-  for (const Finding* finding : findings) ++counts[{finding->kind, finding->disagreement}];
-  std::vector<std::pair<std::pair<CellKind, Disagreement>, std::size_t>> sorted(counts.begin(),
-                                                                                counts.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::string text;
-  for (std::size_t i = 0; i < std::min(sorted.size(), kShownKinds); ++i) {
-    const auto& [kind, count] = sorted[i];
-    text +=
-        fmt::format("{}{} {} {}", i == 0 ? "" : ", ", count,
-                    count == 1 ? to_text(kind.first) : plural(kind.first), to_text(kind.second));
-  }
-  return sorted.size() > kShownKinds ? text + ", ..." : text;
 }
 
 /// What rounding alone would change.
@@ -77,24 +61,35 @@ std::size_t place_of(const std::string& stage, const Answer& answer) {
   return 3 + static_cast<std::size_t>(found - answer.stages.begin());
 }
 
-/// One row per stage and rule, in their order.
+struct CauseRow {
+  std::string stage;
+  std::vector<const Finding*> findings;
+  std::size_t confirmed = 0;
+};
+
+/// One row per stage and rule, in their order, of the most frequent.
 void append_causes(std::string& text, const Check& check) {
-  struct Row {
-    std::string stage;
-    std::vector<const Finding*> findings;
-    std::size_t confirmed = 0;
-  };
-  std::map<std::tuple<std::size_t, std::size_t, std::string>, Row> rows;
+  std::map<std::tuple<std::size_t, std::size_t, std::string>, CauseRow> rows;
   for (std::size_t i = 0; i < check.causes.size(); ++i) {
     const Cause& cause = check.causes[i];
-    Row& row = rows[{place_of(cause.stage, check.answer), cause.round, cause.rule}];
+    CauseRow& row = rows[{place_of(cause.stage, check.answer), cause.round, cause.rule}];
     row.stage = cause.stage;
     row.findings.push_back(&check.comparison.findings[i]);
     if (cause.confirmed) ++row.confirmed;
   }
   if (rows.empty()) return;
+  std::vector<std::size_t> sizes;
+  for (const auto& entry : rows) sizes.push_back(entry.second.findings.size());
+  std::sort(sizes.rbegin(), sizes.rend());
+  const std::size_t least = sizes[std::min(sizes.size(), kShownCauses) - 1];
   text += "\nwhere they come from\n";
+  std::size_t left_out = 0, shown = 0;
   for (const auto& [place, row] : rows) {
+    if (row.findings.size() < least || shown == kShownCauses) {
+      left_out += row.findings.size();
+      continue;
+    }
+    ++shown;
     const auto& [order, round, rule] = place;
     text += fmt::format("  {}{}, {}: {} ({}{})\n", row.stage,
                         round == 0 ? "" : fmt::format(" in round {}", round), rule,
@@ -103,20 +98,26 @@ void append_causes(std::string& text, const Check& check) {
                             ? ""
                             : fmt::format("; {} of them confirmed", row.confirmed));
   }
+  if (left_out > 0) {
+    text += fmt::format("  {} more of {} other kinds\n", left_out, rows.size() - shown);
+  }
 }
 
+/// "5 rejected: zero width (3), no such file (2)", the most frequent reasons.
 void append_input(std::string& text, const SegmentSet& input) {
-  text += fmt::format("input: {} segments, {} points; {} rejected\n", input.segments.size(),
+  text += fmt::format("input: {} segments, {} points; {} rejected", input.segments.size(),
                       input.points.size(), input.rejected.size());
-  const std::size_t shown = std::min(input.rejected.size(), kShownRejected);
+  std::map<std::string, std::size_t> counts;
+  for (const Rejected& item : input.rejected) ++counts[item.reason];
+  std::vector<std::pair<std::string, std::size_t>> reasons(counts.begin(), counts.end());
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  const std::size_t shown = std::min(reasons.size(), kShownReasons);
   for (std::size_t i = 0; i < shown; ++i) {
-    const Rejected& item = input.rejected[i];
-    text += fmt::format("  rejected {}: {}\n", line_text(to_text(item.source, input.files)),
-                        line_text(item.reason));
+    text += fmt::format("{}{} ({})", i == 0 ? ": " : ", ", line_text(reasons[i].first),
+                        reasons[i].second);
   }
-  if (shown < input.rejected.size()) {
-    text += fmt::format("  ... and {} more\n", input.rejected.size() - shown);
-  }
+  text += shown < reasons.size() ? ", ...\n" : "\n";
 }
 
 /// "3 numbers were replaced: by at most 1e-15 rad (2), 0.001 (1)".
@@ -146,46 +147,88 @@ void append_ledger(std::string& text, const std::vector<Replacement>& ledger) {
   text += '\n';
 }
 
-void append_finding(std::string& text, const Check& check, std::size_t i) {
-  const Finding& finding = check.comparison.findings[i];
-  text += fmt::format("{:>4}. {} {}", i + 1, to_text(finding.kind), to_text(finding.disagreement));
+void append_finding(std::string& text, const Check& check, std::size_t number) {
+  const Finding& finding = check.comparison.findings[number - 1];
+  text += fmt::format("      finding {}: {} {}", number, to_text(finding.kind),
+                      to_text(finding.disagreement));
   if (finding.kind != CellKind::Complex) {
-    const PointD place = nearest(finding.where);
-    text += fmt::format(" at ({}, {})", short_number(place.x), short_number(place.y));
+    text += " at " + place_text(finding.where, check.comparison.tolerance);
   }
   text += fmt::format(": {}\n", line_text(finding.message));
-  if (i < check.causes.size()) {
-    const Cause& cause = check.causes[i];
-    text += fmt::format("      {}: {}", cause.stage, line_text(cause.explanation));
+  if (number <= check.causes.size()) {
+    const Cause& cause = check.causes[number - 1];
+    text += fmt::format("        {}: {}", cause.stage, line_text(cause.explanation));
     if (!cause.advice.empty()) text += fmt::format("; {}", line_text(cause.advice));
     text += '\n';
   }
-  text += input_lines(check.input, finding.segments, "      ");
+  text += input_lines(check.input, finding.segments, "        ");
+}
+
+std::string findings_of(const FindingGroup& group, const Check& check) {
+  std::string text;
+  const std::size_t shown = std::min(group.findings.size(), kShownOfGroup);
+  for (std::size_t i = 0; i < shown; ++i) append_finding(text, check, group.findings[i]);
+  if (shown < group.findings.size()) {
+    text += fmt::format("      ... and {} more findings\n", group.findings.size() - shown);
+  }
+  return text;
+}
+
+std::size_t line_count(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// The groups, as many as are asked for, with their findings; by default without, as many as fit
+/// on a screen below the text.
+void append_groups(std::string& text, const Check& check, std::optional<std::size_t> listed) {
+  const std::vector<FindingGroup>& groups = check.groups;
+  std::string rows = groups.size() == 1 ? "\n" : "\nwhat changes most comes first\n";
+  std::size_t shown = 0;
+  for (; shown < std::min(groups.size(), listed.value_or(groups.size())); ++shown) {
+    std::string row = group_lines(groups[shown], shown + 1, check);
+    if (listed) row += findings_of(groups[shown], check);
+    if (!listed && shown > 0 && line_count(text) + line_count(rows + row) >= kScreen) break;
+    rows += row;
+  }
+  if (shown < groups.size()) {
+    rows +=
+        fmt::format("{} more groups (--list {} prints more, with findings; --report page.html)\n",
+                    groups.size() - shown, std::min<std::size_t>(groups.size(), 100));
+  }
+  text += rows;
+}
+
+/// What to do, where the engine merges within a radius.
+void append_radius_advice(std::string& text, const Check& check) {
+  if (check.crowded_vertices > 0) {
+    text += fmt::format(
+        "The radius {} is larger than details of the drawing: {} of its {} "
+        "vertices are nearer to another one.\n",
+        short_number(*check.answer.radius), check.crowded_vertices,
+        check.comparison.exact_counts.vertices);
+  }
+  if (check.right_radii) text += right_radii_text(*check.right_radii, check.answer.short_title);
 }
 
 }  // namespace
 
-std::string to_text(const Check& check, std::size_t limit) {
+std::string to_text(const Check& check, std::optional<std::size_t> listed) {
   const Comparison& c = check.comparison;
   std::string text = verdict(check) + '\n';
+  append_radius_advice(text, check);
+  if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
   append_cell_counts(text, check);
   if (check.answer.radius) text += fmt::format("radius {}, ", short_number(*check.answer.radius));
   text += fmt::format("tolerance {}, largest displacement {}\n", short_number(c.tolerance),
                       short_number(c.largest_displacement));
-  if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
   append_input(text, check.input);
   append_ledger(text, check.input.ledger);
   if (check.drift.places > 0) text += to_text(check.drift) + '\n';
   append_conversion(text, check.conversion);
-  if (c.agree()) return text + advice_text(check, kShownSteps);
+  if (c.agree()) return text;
   append_causes(text, check);
-  text += '\n';
-  const std::size_t shown = std::min(c.findings.size(), limit);
-  for (std::size_t i = 0; i < shown; ++i) append_finding(text, check, i);
-  if (shown < c.findings.size()) {
-    text += fmt::format("... and {} more (see -o report.json)\n", c.findings.size() - shown);
-  }
-  return text + advice_text(check, kShownSteps);
+  append_groups(text, check, listed);
+  return text;
 }
 
 }  // namespace plumbline

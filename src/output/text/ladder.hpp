@@ -6,10 +6,7 @@
 
 namespace plumbline {
 
-/// A distance by its square: exact where that is short, and rounded, "0.25", "sqrt(2) = 1.41421".
-std::string distance_text(const Rational& squared);
-
-/// The paragraph of the report that `advised` filled; "" if there is no advice.
-std::string advice_text(const Check& check, std::size_t limit);
+/// The radii for which an engine is right, as a line.
+std::string right_radii_text(const RightRadii& radii, const std::string& engine);
 
 }  // namespace plumbline

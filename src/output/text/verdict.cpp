@@ -10,7 +10,9 @@ namespace plumbline {
 
 std::string verdict(const Check& check) {
   const std::size_t count = check.comparison.findings.size(), own = check.own_findings();
-  const std::string findings = fmt::format("{} finding{}", count, count == 1 ? "" : "s");
+  const std::size_t groups = check.groups.size();
+  std::string findings = fmt::format("{} finding{}", count, count == 1 ? "" : "s");
+  if (count > 1) findings += fmt::format(" in {} group{}", groups, groups == 1 ? "" : "s");
   std::string text = "agree";
   if (count > 0 && own == count) {
     text = "agree but for the file's own drift: " + findings;
