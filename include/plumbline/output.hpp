@@ -76,8 +76,8 @@ std::string certificate(const ExactComplex& complex, const SegmentSet& input);
 std::string to_text(const Check& check, std::optional<std::size_t> listed = {});
 /// The same as JSON, all findings.
 std::string to_json(const Check& check);
-/// Two panels of the same drawing, exact and float: faces filled by depth, edges, and every finding
-/// marked with its number in a second colour.
+/// Two panels of the same drawing, exact and float: faces filled by depth, edges, every finding
+/// marked in a second colour, with the number of its group at the place to look at.
 std::string to_svg(const Check& check);
 /// A page to look at all of it with a browser: pan and zoom, layers, findings, faces, the ladder.
 /// One file that loads nothing else. Cost: some 20 bytes an edge and complex.

@@ -19,7 +19,7 @@ void add_advice(CLI::App& command, CheckArguments& arguments) {
   CLI::Option* advice = command.add_flag_callback(
       "--advice", [&] { arguments.advice = true; },
       "Look for the radii that float LAR is right with: a dozen more runs [default: for up to "
-      "20,000 edges]");
+      "50,000 edges]");
   command
       .add_flag_callback(
           "--no-advice", [&] { arguments.advice = false; }, "Do not, even for small drawings")
@@ -114,7 +114,7 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
       ->type_name("FILE");
   command
       .add_option("--picture", arguments.picture,
-                  "Draw both results and the findings to an SVG file")
+                  "Draw both results, the findings and the numbers of their groups to an SVG file")
       ->type_name("FILE");
   command.add_option("--report", arguments.report, "Write an HTML page with all of it")
       ->type_name("FILE");

@@ -69,10 +69,9 @@ std::string drawn_panel(const svg::Box& box, const Layout& where, const FloatCom
   const Comparison& comparison = check.comparison;
   const svg::Frame frame = sheet::frame(where.content, box, check.input.y_up);
   std::vector<FindingPlace> places;
-  for (std::size_t i = 0; i < comparison.findings.size(); ++i) {
-    if (comparison.findings[i].kind != CellKind::Complex) {
-      places.push_back({frame(nearest(comparison.findings[i].where)), i + 1});
-    }
+  for (std::size_t g = 0; g < check.groups.size(); ++g) {
+    const Finding& lead = comparison.findings[check.groups[g].lead - 1];
+    if (lead.kind != CellKind::Complex) places.push_back({frame(nearest(lead.where)), g + 1});
   }
   return sheet::ground(box) +
          svg::panel(complex, frame, sheet::pen(box, complex.edge_count()), marks) +
@@ -110,7 +109,7 @@ std::string legend(const Layout& where, const Check& check) {
   svg += svg::text({x + 56, y + 5}, 14, "", "antenna");
   svg += svg::circle({x + 142, y}, 8,
                      fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", svg::kMark));
-  svg += svg::text({x + 158, y + 5}, 14, "", "finding, with its number in the report");
+  svg += svg::text({x + 158, y + 5}, 14, "", "group of findings, by its number in the report");
   return svg;
 }
 
