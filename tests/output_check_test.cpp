@@ -163,7 +163,7 @@ TEST_CASE("the picture has two titled panels, and the number of each group in bo
   CHECK(all.count("float LAR, radius 0.0625") == 1);
   CHECK(all.count("text: disagree: 3 findings in 1 group") == 1);
   CHECK(all.count("V 4   E 4   F 2") == 1);
-  CHECK(all.count("1") == 2);  // of the group
+  CHECK(all.count("1") == 3);  // of the group, and the depth in the legend
 }
 
 TEST_CASE("holes are cut out of faces, depths have different colours, antennas are dashed") {

@@ -14,14 +14,15 @@ import { pathToFileURL } from "node:url";
 const [plumbline, modules, chromium, scratch] = process.argv.slice(2);
 const playwright = createRequire(path.resolve(modules, "x.js"))("playwright-core");
 
-// A room of 40 x 20 with a pillar of 20 x 10 in it, and a triangle with a corner cut off by 1/100:
-// merging within 1/16 joins the two vertices there. Names that must not become markup.
+// A room of 40 x 20 with a pillar of 20 x 10 in it, and two triangles with a corner cut off by
+// 1/100: merging within 1/16 joins the two vertices there. Names that must not become markup.
 const evil = "</script><img src=x onerror=alert(1)>";
 const escaped = evil.replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 const drawing = `<svg xmlns="http://www.w3.org/2000/svg">
 <rect id="room" width="40" height="20"/>
 <rect x="10" y="5" width="20" height="10"/>
 <polygon id="${escaped}" points="50,0 54,0 54,0.01 50,4"/>
+<polygon points="50,10 52,10 52,10.01 50,12"/>
 </svg>`;
 
 const profile = mkdtempSync(path.join(tmpdir(), "plumbline-browser-"));
@@ -116,13 +117,34 @@ test("the page loads nothing but itself, and says nothing on the console", async
 test("title and verdict are those of the check", async () => {
   assert.match(await page.textContent("h1"), /Disagree: \d+ findings.*a&b"<i>\.svg/s);
   const cells = await page.locator("#answers tbody tr").first().locator("td").allTextContents();
-  assert.deepEqual(cells, ["12", "12", "11"]); // vertices
+  assert.deepEqual(cells, ["16", "16", "14"]); // vertices
+});
+
+test("groups come first: a click shows the group, its place and its findings alone", async () => {
+  await showAll();
+  const before = await view();
+  const groups = page.locator("#group-list > li");
+  assert.equal(await groups.count(), await page.evaluate(() => window.plumbline.drawing.report.groups.length));
+  assert.equal(await groups.count(), 2);
+  await page.screenshot({ path: path.join(scratch, "groups.png") });
+  await groups.first().locator(".finding-head").click();
+  await still();
+  assert.ok((await view()).k > before.k);
+  const members = await page.evaluate(() => window.plumbline.drawing.report.groups[0].findings.length);
+  await page.screenshot({ path: path.join(scratch, "group.png") });
+  await page.locator("#group-list .show").click();
+  assert.ok(await page.isVisible("#findings-panel"));
+  assert.equal(await items(), members);
+  await page.click("#group-chip");
+  assert.equal(await page.isVisible("#group-filter"), false);
+  assert.equal(await items(), await page.evaluate(() => window.plumbline.drawing.report.findings.length));
 });
 
 test("a click on a finding flies to it and shows its exact numbers and sources", async () => {
   await showAll();
   const before = await view();
-  await page.locator(".finding-head", { hasText: "vertex merged" }).first().click();
+  await page.click("#findings-tab");
+  await page.locator("#finding-list .finding-head", { hasText: "vertex merged" }).last().click();
   await still();
   const now = await view();
   assert.ok(now.k > 100 * before.k, `zoomed from ${before.k} to ${now.k}`);
@@ -304,6 +326,7 @@ test("print has the picture and the whole list, and no controls", async () => {
     assert.equal(await page.locator(id).first().isVisible(), false, id);
   const count = await page.evaluate(() => window.plumbline.drawing.report.findings.length);
   assert.equal(await items(), count);
+  assert.ok(await page.locator("#group-list > li").last().isVisible());
   assert.equal(await page.locator("#finding-list .details").count(), count);
   assert.ok(await page.locator("#finding-list > li").last().isVisible());
   await page.screenshot({ path: path.join(scratch, "print.png"), fullPage: true });

@@ -2,7 +2,7 @@
 
 import { byId, count, element, number } from "./dom";
 import type { Drawing } from "./drawing";
-import type { Finding } from "./report";
+import type { Finding, Group } from "./report";
 
 const chunk = 200; // items added at a time
 export const noStage = "not attributed";
@@ -14,11 +14,13 @@ export type Comparison = "float" | "doubles";
 export class FindingList {
   onFilter: (findings: Finding[]) => void = () => {};
   onChoose: (finding: Finding | undefined) => void = () => {};
+  onLeaveGroup: () => void = () => {};
   comparison: Comparison = "float";
   private readonly hiddenKinds = new Set<string>();
   private readonly hiddenStages = new Set<string>();
   private shown: Finding[] = [];
   private chosen?: Finding;
+  private group?: Set<number>; // numbers of the findings of the chosen group
   private isPrinting = false;
   private readonly list = byId("finding-list");
   private readonly more = byId("finding-more");
@@ -28,7 +30,18 @@ export class FindingList {
     new IntersectionObserver((entries) => {
       if (entries.some((entry) => entry.isIntersecting)) this.addItems(chunk);
     }).observe(this.more);
+    byId("group-chip").addEventListener("click", () => this.onLeaveGroup());
     this.setComparison("float");
+  }
+
+  /// Shows the findings of this group alone.
+  setGroup(group: Group | undefined): void {
+    if (group && this.comparison !== "float") this.setComparison("float");
+    this.group = group && new Set(group.findings);
+    byId("group-filter").hidden = !group;
+    byId("group-chip").textContent = group ? `${group.number} \u00d7` : "";
+    this.choose(undefined);
+    this.filter();
   }
 
   get all(): Finding[] {
@@ -75,7 +88,10 @@ export class FindingList {
 
   private filter(): void {
     this.shown = this.all.filter(
-      (f) => !this.hiddenKinds.has(f.kind) && !this.hiddenStages.has(stageOf(f)),
+      (f) =>
+        !this.hiddenKinds.has(f.kind) &&
+        !this.hiddenStages.has(stageOf(f)) &&
+        (!this.group || this.comparison !== "float" || this.group.has(f.number)),
     );
     this.list.replaceChildren();
     this.addItems(chunk);

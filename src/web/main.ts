@@ -5,6 +5,7 @@ import { connectLayers, connectTabs, connectView } from "./controls";
 import { byId, element, plural } from "./dom";
 import { Drawing } from "./drawing";
 import { FindingList } from "./findings";
+import { boxOfGroup, GroupList } from "./groups";
 import { Hover } from "./hover";
 import { showInputs } from "./inputs";
 import { showLadder } from "./ladder";
@@ -20,7 +21,7 @@ async function readReport(): Promise<Report> {
 }
 
 /// The picture, and what in the rest of the page shows something of it.
-function showPicture(drawing: Drawing, list: FindingList): { goTo: (step: LadderStep) => void; recolour: () => void } {
+function showPicture(drawing: Drawing, list: FindingList, groups: GroupList): { goTo: (step: LadderStep) => void; recolour: () => void } {
   const stage = byId("stage");
   const view = new View(stage, drawing.box);
   const scene = new Scene(byId<HTMLCanvasElement>("lines"), byId<HTMLCanvasElement>("below"), view, drawing);
@@ -29,7 +30,15 @@ function showPicture(drawing: Drawing, list: FindingList): { goTo: (step: Ladder
   connectLayers(scene, overlay);
   connectView(view);
   connectFindings(drawing, list, view, overlay);
-  new Hover(byId("tip"), view, drawing, scene, overlay, byId("readout"), (finding) => list.choose(finding));
+  groups.onChoose = (group) => {
+    list.setGroup(group);
+    if (group) view.show(boxOfGroup(group, drawing));
+  };
+  list.onLeaveGroup = () => groups.choose(undefined);
+  new Hover(byId("tip"), view, drawing, scene, overlay, byId("readout"), (finding) => {
+    byId("findings-tab").click();
+    list.choose(finding);
+  });
   scene.drawNow();
   Object.assign(window, { plumbline: { view, scene, drawing } }); // for tests, and for the curious
   return { goTo: (step) => showStep(step, drawing, view), recolour: () => scene.recolour() };
@@ -48,8 +57,10 @@ function connectFindings(drawing: Drawing, list: FindingList, view: View, overla
   };
   overlay.setFindings(list.all);
   view.stage.addEventListener("keydown", (event) => {
+    if (event.key === "n" || event.key === "p") byId("findings-tab").click();
     if (event.key === "n") list.step(1);
     if (event.key === "p") list.step(-1);
+    if (event.key === "Escape") list.onLeaveGroup();
     if (event.key === "Escape") list.choose(undefined);
   });
   const findings = plural(drawing.report.findings.length, "finding");
@@ -86,22 +97,25 @@ function showFailure(error: unknown): void {
 
 async function start(): Promise<void> {
   const report = await readReport();
-  showHead(report, byId("title"), byId("verdict"), byId("facts"));
+  showHead(report, byId("title"), byId("verdict"), byId("facts"), byId("radius-advice"));
   const drawing = await Drawing.read(report, byId("arrays").textContent!);
   showAnswers(drawing, byId<HTMLTableElement>("answers"));
   showInputs(drawing, byId("inputs-panel"));
+  byId("groups-tab").append(` ${report.groups.length}`);
   byId("findings-tab").append(` ${report.findings.length}`);
   connectTabs();
   const list = new FindingList(drawing);
+  const groups = new GroupList(drawing);
   connectComparison(drawing, list);
   let picture: ReturnType<typeof showPicture> | undefined;
   try {
-    picture = showPicture(drawing, list);
+    picture = showPicture(drawing, list, groups);
   } catch (error) {
     showFailure(error); // the rest of the page is there without it
   }
   showLadder(report, byId("ladder-panel"), (step) => picture?.goTo(step));
   connectPrinting((isPrinting) => {
+    if (isPrinting) groups.showAll();
     list.setPrinting(isPrinting);
     picture?.recolour();
   });

@@ -37,6 +37,21 @@ export interface Finding {
   sources: number[];
 }
 
+/// Findings that are one event in one place.
+export interface Group {
+  number: number;
+  message: string;
+  where: Place | null;
+  low: [number, number];
+  high: [number, number];
+  area: number;
+  own: boolean;
+  faces: { change: string; finding: number; areas: number[]; area: number }[];
+  lead: number;
+  findings: number[];
+  sources: number[];
+}
+
 export type CountName =
   | "vertices"
   | "edges"
@@ -92,6 +107,8 @@ export interface Report {
   tolerance: number;
   largest_displacement: number;
   counts: Record<ComplexName | "exact", Counts>;
+  crowded_vertices: number;
+  groups: Group[];
   findings: Finding[];
   conversion: Finding[];
   ladder: Ladder | null;

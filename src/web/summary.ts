@@ -16,10 +16,13 @@ const rows: [CountName, string][] = [
   ["isolated_vertices", "isolated vertices"],
 ];
 
-export function showHead(report: Report, title: HTMLElement, verdict: HTMLElement, facts: HTMLElement): void {
+export function showHead(
+  report: Report, title: HTMLElement, verdict: HTMLElement, facts: HTMLElement, advice: HTMLElement,
+): void {
   title.textContent = report.files.join(", ") || "drawing";
   const agrees = report.verdict === "agree";
-  const findings = plural(report.findings.length, "finding");
+  const groups = report.findings.length > 1 ? ` in ${plural(report.groups.length, "group")}` : "";
+  const findings = plural(report.findings.length, "finding") + groups;
   const own = report.drift.findings;
   if (agrees) verdict.textContent = "Agree";
   else if (own === report.findings.length) verdict.textContent = `Agree but for the file's own drift: ${findings}`;
@@ -29,9 +32,23 @@ export function showHead(report: Report, title: HTMLElement, verdict: HTMLElemen
   if (report.compared === "graph") parts.push("vertices and edges alone are compared: the result has no faces");
   if (report.radius !== null) parts.push(`radius ${number(report.radius)}`);
   if (report.tolerance !== report.radius) parts.push(`tolerance ${number(report.tolerance)}`);
-  if (report.right_radii)
-    parts.push(`right for radii from ${number(report.right_radii[0])} to ${number(report.right_radii[1])}`);
   facts.textContent = parts.join(" · ");
+  advice.textContent = radiusAdvice(report);
+}
+
+/// What to do, where the engine merges within a radius.
+function radiusAdvice(report: Report): string {
+  const sentences: string[] = [];
+  if (report.crowded_vertices > 0)
+    sentences.push(
+      `The radius is larger than details of the drawing: ${count(report.crowded_vertices)} of its ` +
+        `${count(report.counts.exact.vertices)} vertices are nearer to another one.`,
+    );
+  const [least, largest] = report.right_radii ?? [];
+  if (least !== undefined && largest !== undefined)
+    sentences.push(`Every radius tried from ${number(least)} to ${number(largest)} is right.`);
+  else if (report.tried_radii.length > 0) sentences.push("No radius that was tried is right.");
+  return sentences.join(" ");
 }
 
 const namesOfGraph: CountName[] = ["vertices", "edges", "components"];
