@@ -156,3 +156,12 @@ TEST_CASE("a place that float LAR merged with something else is not the file's o
   CHECK(first.exact_cells.size() == 3);
   CHECK(result.causes.front().stage != kDrawing);
 }
+
+TEST_CASE("a radius whose findings are the file's own alone is right") {
+  const Check result = advised(check_lar(svg(kApartment), 1e-8));
+  REQUIRE(result.own_findings() > 0);
+  REQUIRE(result.right_radii);
+  CHECK_FALSE(result.right_radii->empty());
+  CHECK(result.right_radii->least <= 1e-8);
+  CHECK(result.right_radii->largest >= 1e-8);
+}

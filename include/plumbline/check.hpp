@@ -16,6 +16,9 @@ namespace plumbline {
 struct TriedRadius {
   double radius = 0;
   bool is_right = false;  ///< whether its answer agreed with the exact complex
+  /// How many findings it has that are not the drawing's own. None: the numbers of cells already
+  /// were wrong.
+  std::optional<std::size_t> findings = {};
 };
 
 /// The radii for which an engine's answer is right, as far as they were tried: every tried radius
@@ -98,11 +101,12 @@ struct AdviceOptions {
 };
 
 /// The check, with advice: the smallest exact features, the tolerance ladder, and, where the answer
-/// has `with_radius`, the radii for which the engine gives the exact complex (`compare` agrees, its
-/// tolerance the radius). Tried are the least radius there is, radii a percent below and above
-/// critical ones of the ladder, and, by bisection to one percent, where right ones end. Degenerate:
-/// a drawing without edges has no features. Cost: that of `tolerance_ladder`, and `max_runs` of the
-/// engine and, where the numbers of cells are right, `compare`. Throws: as these; Cancelled.
+/// has `with_radius`, the radii for which the engine gives the exact complex (`compare`, its
+/// tolerance the radius, finds nothing or what is the drawing's own). Tried are the least radius
+/// there is, radii a percent below and above critical ones of the ladder, and, by bisection to one
+/// percent, where right ones end. Degenerate: a drawing without edges has no features. Cost: that
+/// of `tolerance_ladder`, and `max_runs` of the engine and, where the numbers of cells are right,
+/// `compare`. Throws: as these; Cancelled.
 Check advised(Check check, const AdviceOptions& options = {});
 
 }  // namespace plumbline

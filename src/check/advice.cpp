@@ -8,8 +8,7 @@ Check advised(Check check, const AdviceOptions& options) {
   if (complex.edge_count() > 0) check.feature_size = feature_size(complex);
   check.ladder = tolerance_ladder(complex, options.ladder);
   if (check.answer.with_radius && options.max_runs > 0) {
-    check.right_radii = check_steps::right_radii(check.answer.with_radius, check.input, complex,
-                                                 *check.ladder, options);
+    check.right_radii = check_steps::right_radii(check, options);
   }
   return check;
 }

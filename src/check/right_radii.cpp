@@ -9,6 +9,7 @@
 #include <iterator>
 #include <optional>
 
+#include "check/without_drift.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline::check_steps {
@@ -23,20 +24,24 @@ constexpr std::size_t kLeastTrials = 6;
 
 class Trials {
  public:
-  Trials(const WithRadius& engine, const SegmentSet& input, const ExactComplex& exact_complex,
-         const AdviceOptions& options)
-      : engine_(engine), input_(input), exact_(exact_complex), options_(options) {}
+  Trials(const Check& check, const AdviceOptions& options)
+      : check_(check), exact_(check.exact_complex), options_(options) {}
 
-  bool may_go_on() const { return tried_.size() < options_.max_runs; }
+  bool may_go_on() const { return runs_ < options_.max_runs; }
   const std::vector<TriedRadius>& tried() const { return tried_; }
 
   /// Whether the answer is right; the radius is recorded as the engine raises it.
   bool is_right(double radius) {
-    const double done = static_cast<double>(tried_.size()) / static_cast<double>(options_.max_runs);
+    const double done = static_cast<double>(runs_) / static_cast<double>(options_.max_runs);
     if (options_.progress && !options_.progress(done)) {
       throw Error(ErrorCode::Cancelled, "the search for right radii was cancelled");
     }
-    const TriedRadius trial = run(radius);
+    ++runs_;
+    return record(run(radius));
+  }
+
+  /// What is known without another run.
+  bool record(const TriedRadius& trial) {
     const auto place = std::find_if(tried_.begin(), tried_.end(), [&](const TriedRadius& other) {
       return other.radius >= trial.radius;
     });
@@ -73,17 +78,37 @@ class Trials {
   }
 
  private:
-  TriedRadius run(double radius) const {
+  TriedRadius run(double radius) {
     try {
-      const auto [complex, used] = engine_(input_, radius, options_.threads);
-      if (counts(complex, complex.vertices.size()) != counts(exact_, exact_.vertices.size())) {
-        return {used, false};
-      }
-      return {used, compare(exact_, complex, used).agree()};
+      const auto [complex, used] =
+          check_.answer.with_radius(check_.input, radius, options_.threads);
+      // Of the first one, the least there is, what is left is told in any case.
+      if (runs_ > 1 && !may_be_right(complex)) return {used, false};
+      const std::size_t left = findings_left(compare(exact_, complex, used));
+      return {used, left == 0, left};
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Limit) return {radius, false};
       throw;
     }
+  }
+
+  /// By its numbers of cells: those of the exact complex, or, where that has drift, no more
+  /// vertices gone than the drift takes.
+  bool may_be_right(const FloatComplex& complex) const {
+    if (check_.drift.places == 0) {
+      return counts(complex, complex.vertices.size()) == counts(exact_, exact_.vertices.size());
+    }
+    const std::size_t here = exact_.vertices.size(), there = complex.vertices.size();
+    return (here > there ? here - there : there - here) <= vertices_in_drift(check_.drift);
+  }
+
+  /// Those that are not the drawing's own.
+  std::size_t findings_left(const Comparison& comparison) {
+    if (comparison.agree() || check_.drift.places == 0) return comparison.findings.size();
+    if (!without_drift_) {
+      without_drift_ = without_drift(check_.input, exact_, check_.drift, options_.threads);
+    }
+    return findings_beside_drift(comparison, exact_, *without_drift_, check_.drift);
   }
 
   /// The geometric middle of a tried radius and the next one. False if there is none.
@@ -95,11 +120,12 @@ class Trials {
     return true;
   }
 
-  const WithRadius& engine_;
-  const SegmentSet& input_;
+  const Check& check_;
   const ExactComplex& exact_;
   const AdviceOptions& options_;
   std::vector<TriedRadius> tried_;  ///< ascending
+  std::size_t runs_ = 0;
+  std::optional<ExactComplex> without_drift_;  ///< made when first asked for
 };
 
 /// The longest run (by the ratio of its ends, then the first) of right radii.
@@ -123,20 +149,25 @@ RightRadii longest_run(const std::vector<TriedRadius>& tried) {
 
 }  // namespace
 
-RightRadii right_radii(const WithRadius& engine, const SegmentSet& input,
-                       const ExactComplex& exact_complex, const ToleranceLadder& ladder,
-                       const AdviceOptions& options) {
-  Trials trials(engine, input, exact_complex, options);
+RightRadii right_radii(const Check& check, const AdviceOptions& options) {
+  Trials trials(check, options);
   trials.is_right(0);  // raised to the least radius there is
+  if (check.answer.radius && check.comparison.tolerance == *check.answer.radius) {
+    const std::size_t left = check.comparison.findings.size() - check.own_findings();
+    trials.record({*check.answer.radius, left == 0, left});
+  }
   const double least = trials.tried().front().radius;
-  for (const LadderStep& step : ladder.steps) {
+  std::optional<double> first;  // critical radius that the engine can tell
+  for (const LadderStep& step : check.ladder->steps) {
     const double critical = nearest_sqrt(step.squared_radius);
+    if (critical <= least) continue;
+    if (!first) first = critical;
     if (critical / kBeside > least && trials.may_go_on()) trials.is_right(critical / kBeside);
     // Beyond it something has merged. If the result is right all the same, go on with the ladder.
-    if (critical <= least || !trials.may_go_on() || !trials.is_right(critical * kBeside)) break;
+    if (!trials.may_go_on() || !trials.is_right(critical * kBeside)) break;
   }
   trials.bisect();
-  if (!ladder.steps.empty()) trials.fill(nearest_sqrt(ladder.steps.front().squared_radius));
+  if (first) trials.fill(*first);
   trials.bisect();
   return longest_run(trials.tried());
 }

@@ -159,6 +159,24 @@ ExactComplex without_drift(const SegmentSet& input, const ExactComplex& complex,
   return Straightening(input, complex, drift).arranged(threads);
 }
 
+std::size_t vertices_in_drift(const Drift& drift) {
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < drift.stands_for.size(); ++v) {
+    if (drift.stands_for[v] != v) ++count;
+  }
+  return count;
+}
+
+std::size_t findings_beside_drift(const Comparison& comparison, const ExactComplex& exact_complex,
+                                  const ExactComplex& without, const Drift& drift) {
+  const Comparison now =
+      compare_steps::compare_cells(exact_complex, without, comparison.tolerance, true);
+  std::vector<Cause> causes(comparison.findings.size());
+  take_findings(comparison.findings, causes, compare_steps::WrongCells(now, exact_complex), drift);
+  return static_cast<std::size_t>(std::count_if(
+      causes.begin(), causes.end(), [](const Cause& cause) { return cause.stage != kDrawing; }));
+}
+
 void take_from_drawing(Check& check, std::size_t threads) {
   if (check.drift.places == 0 || (check.causes.empty() && check.conversion_causes.empty())) return;
   const Comparison now = compare_steps::compare_cells(

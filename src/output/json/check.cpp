@@ -106,7 +106,8 @@ auto ladder(const ToleranceLadder& ladder) {
 
 auto radii(const std::optional<RightRadii>& radii) {
   const auto trial = [](const TriedRadius& t) {
-    return object(member("radius", t.radius), member("right", t.is_right));
+    return object(member("radius", t.radius), member("right", t.is_right),
+                  member("findings", t.findings));
   };
   const bool has_right = radii && !radii->empty();
   return members(

@@ -56,9 +56,18 @@ std::string to_text(const ToleranceLadder& ladder, const ExactComplex& complex, 
 
 std::string right_radii_text(const RightRadii& radii, const std::string& engine) {
   if (radii.empty()) {
-    return fmt::format("No radius is right for {}, of {} tried from {} to {}.\n", engine,
-                       radii.tried.size(), short_number(radii.tried.front().radius),
-                       short_number(radii.tried.back().radius));
+    std::string text = fmt::format("No radius is right for {}, of {} tried from {} to {}", engine,
+                                   radii.tried.size(), short_number(radii.tried.front().radius),
+                                   short_number(radii.tried.back().radius));
+    const TriedRadius* best = nullptr;
+    for (const TriedRadius& trial : radii.tried) {
+      if (trial.findings && (!best || *trial.findings < *best->findings)) best = &trial;
+    }
+    if (best) {
+      text += fmt::format("; {} leaves fewest findings, {}", shortest_text(best->radius),
+                          *best->findings);
+    }
+    return text + ".\n";
   }
   const auto tried_right = std::count_if(
       radii.tried.begin(), radii.tried.end(),
