@@ -23,6 +23,7 @@ room(geometry error detail number)
 room(structure error detail number geometry)
 room(read error number geometry structure)
 room(complex error detail number geometry)
+room(polygons error complex)
 room(chains error structure complex)
 room(triangulate cgal error chains)
 room(arrange cgal error number geometry complex)
@@ -42,7 +43,7 @@ room(output error number geometry structure complex round diagnose check)
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error read chains arrange round check engines/lar/stages engines/inters/stages engines/files)
-room(plumbline error number geometry structure read complex arrange round compare ladder diagnose engine check
+room(plumbline error number geometry structure read complex polygons arrange round compare ladder diagnose engine check
      engines/lar/stages engines/inters/stages engines/files output engines/lar/show engines/inters/show
      pipeline)
 room(cli error detail read arrange round engine engines/files output engines/lar/show pipeline plumbline)

@@ -20,6 +20,7 @@
 #include "plumbline/number.hpp"
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
+#include "plumbline/polygons.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/round.hpp"
 #include "plumbline/structure.hpp"
