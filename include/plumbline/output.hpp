@@ -7,6 +7,7 @@
 #include "plumbline/check.hpp"
 #include "plumbline/complex.hpp"
 #include "plumbline/diagnose.hpp"
+#include "plumbline/features.hpp"
 #include "plumbline/round.hpp"
 
 namespace plumbline {
@@ -44,6 +45,19 @@ std::string to_json(const LarModel& model);
 /// The complex as an SVG picture, in the drawing's own coordinates: faces filled by nesting depth,
 /// edges, antennas dashed; y negated where it runs upwards. **Rounded** to nearest doubles.
 std::string to_svg(const ExactComplex& complex, bool y_up = false);
+
+// Features in doubles, as `safely_rounded` has proven them to be a valid partition: each number is
+// the shortest decimal that reads back as it.
+
+/// RFC 7946, but in the drawing's own coordinates: a FeatureCollection; of several layers each
+/// feature has the property `layer`. The member `numbers` is the note, `crs` the reference system.
+std::string to_geojson(const Features& features);
+/// Well-known text, a geometry a line: what GEOS, JTS, PostGIS and `read` read.
+std::string to_wkt(const Features& features);
+/// RFC 4180, with a column `wkt`.
+std::string to_csv(const FeatureLayer& layer);
+/// Well-known binary in hexadecimal digits, a geometry a line.
+std::string to_wkb_hex(const Features& features);
 
 /// The segments as an SVG picture of lines, in the same way.
 std::string to_svg(const SegmentSet& input);

@@ -15,6 +15,7 @@
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/features.hpp"
 #include "plumbline/geometry.hpp"
 #include "plumbline/ladder.hpp"
 #include "plumbline/number.hpp"

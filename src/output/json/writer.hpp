@@ -34,6 +34,7 @@ class Writer {
       array(x, std::identity());
     }
   }
+  void value(std::monostate) { null(); }
   void value(double x);
   void value(const Digits& digits) { text_ += digits.text; }
   void value(const Rational& x) { plain(exact_text(x)); }

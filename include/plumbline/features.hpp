@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "plumbline/polygons.hpp"
+#include "plumbline/round.hpp"
+
+namespace plumbline {
+
+/// Nothing, a number, a count, a text.
+using FeatureValue = std::variant<std::monostate, double, std::int64_t, std::string>;
+
+enum class FeatureGeometry { Point, Line, Polygon };
+
+/// What GIS and CAD programs call a feature: a geometry in doubles, with attributes.
+struct Feature {
+  /// Of a polygon its rings, the outer one first, counter-clockwise, holes clockwise, first points
+  /// not repeated; of a line one list of points; of a point one of one point.
+  std::vector<std::vector<PointD>> parts;
+  std::vector<FeatureValue> values;  ///< one for each column
+};
+
+/// Features of one kind.
+struct FeatureLayer {
+  std::string name;
+  FeatureGeometry geometry = FeatureGeometry::Point;
+  std::vector<std::string> columns;
+  std::vector<Feature> features;
+};
+
+/// Layers of one drawing, as all writers take them.
+struct Features {
+  std::vector<FeatureLayer> layers;
+  std::string crs;   ///< as SegmentSet::crs
+  std::string note;  ///< what is to be known of the numbers; where a format has a place for it
+};
+
+/// The bounded faces of the rounded complex as valid polygons (`polygons`). Columns: `face`, its
+/// index, `area` and `area_exact` of the exact face that it is, or is a part of, `perimeter`,
+/// `depth`, `parent`, `neighbours` ("2 5 7"), `sources` (the elements that bound it, "; " between).
+FeatureLayer face_layer(const ExactComplex& complex, const SegmentSet& input,
+                        const Rounding& rounding);
+/// Its edges. Columns: `edge`, `tail`, `head` (vertices), `left`, `right` (faces, 0 the unbounded
+/// one), `sources`.
+FeatureLayer edge_layer(const SegmentSet& input, const Rounding& rounding);
+/// Its vertices. Columns: `vertex`, `degree`.
+FeatureLayer vertex_layer(const Rounding& rounding);
+
+/// "nearest doubles, the same incidences as the exact complex, proven".
+std::string note_of(const Rounding& rounding);
+
+}  // namespace plumbline
