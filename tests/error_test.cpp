@@ -27,3 +27,13 @@ TEST_CASE("a broken promise is an internal error in every build type") {
   CHECK_NOTHROW(plumbline::ensure(true, "never"));
   CHECK_THROWS_AS(plumbline::ensure(false, "half-edge without twin"), Error);
 }
+
+TEST_CASE("what turns the direction of a text is not shown as it is") {
+  const std::string mark = "\xEF\xBF\xBD";
+  // U+202E, U+2066, U+061C, U+200F, U+2028; not their neighbours U+202F, U+2065.
+  CHECK(plumbline::line_text("a\xE2\x80\xAE"
+                             "b\xE2\x81\xA6\xD8\x9C\xE2\x80\x8F\xE2\x80\xA8") ==
+        "a" + mark + "b" + mark + mark + mark + mark);
+  CHECK(plumbline::line_text("\xE2\x80\xAF\xE2\x81\xA5\xD8\xA7") ==
+        "\xE2\x80\xAF\xE2\x81\xA5\xD8\xA7");
+}

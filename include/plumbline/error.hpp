@@ -54,7 +54,8 @@ void ensure(bool promise, const char* what_is_broken);
 /// The text with every byte that is no part of valid UTF-8 replaced by U+FFFD.
 std::string valid_utf8(std::string_view text);
 
-/// The text for one line of a terminal: control characters, too, as U+FFFD.
+/// The text for one line of a terminal: control characters, too, and those that turn the direction
+/// of what follows, as U+FFFD.
 std::string line_text(std::string_view text);
 
 }  // namespace plumbline

@@ -9,6 +9,14 @@ namespace {
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
+/// Control characters, U+0080 to U+009F too, and the separators U+2028 and U+2029.
+bool ends_line(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  if (character.size() == 1) return first < 0x20U || first == 0x7FU;
+  if (first == 0xC2U) return static_cast<unsigned char>(character[1]) < 0xA0U;
+  return character == "\xE2\x80\xA8" || character == "\xE2\x80\xA9";
+}
+
 }  // namespace
 
 std::size_t sequence_length(std::string_view text) {
@@ -36,20 +44,24 @@ std::string valid_utf8(std::string_view text) {
   return result;
 }
 
+bool turns_direction(std::string_view character) {
+  // In UTF-8: U+061C; U+200E, U+200F; U+202A to U+202E; U+2066 to U+2069.
+  if (character == "\xD8\x9C") return true;
+  if (character.size() != 3 || !character.starts_with('\xE2')) return false;
+  const auto second = static_cast<unsigned char>(character[1]);
+  const auto third = static_cast<unsigned char>(character[2]);
+  if (second == 0x80U)
+    return third == 0x8EU || third == 0x8FU || (third >= 0xAAU && third <= 0xAEU);
+  return second == 0x81U && third >= 0xA6U && third <= 0xA9U;
+}
+
 std::string line_text(std::string_view text) {
   std::string result;
   const std::string valid = valid_utf8(text);
-  for (std::size_t i = 0; i < valid.size(); ++i) {
-    const auto c = static_cast<unsigned char>(valid[i]);
-    const auto next = i + 1 < valid.size() ? static_cast<unsigned char>(valid[i + 1]) : 0U;
-    const bool is_c1_control = c == 0xC2U && next < 0xA0U;  // U+0080 to U+009F
-    const bool is_control = c < 0x20U || c == 0x7FU || is_c1_control;
-    if (is_control) {
-      result += kReplacement;
-    } else {
-      result += valid[i];
-    }
-    if (is_c1_control) ++i;
+  for (std::string_view rest = valid; !rest.empty();) {
+    const std::string_view character = rest.substr(0, sequence_length(rest));
+    rest.remove_prefix(character.size());
+    result += ends_line(character) || turns_direction(character) ? kReplacement : character;
   }
   return result;
 }

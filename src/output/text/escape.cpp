@@ -31,7 +31,8 @@ std::string_view xml_character(std::string_view character) {
   }
   const bool is_control = static_cast<unsigned char>(character[0]) < 0x20U;
   const bool is_noncharacter = character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
-  return is_control || is_noncharacter ? kReplacement : character;
+  const bool is_shown = !is_control && !is_noncharacter && !turns_direction(character);
+  return is_shown ? character : kReplacement;
 }
 
 }  // namespace
