@@ -64,6 +64,9 @@ expect "agreement is exit code 0" 0 '^agree' "$plumbline" check "$examples/hospi
 expect "disagreement is exit code 1" 1 '^disagree' "$plumbline" check "$examples/office-plan.svg" -o a.json --picture a.svg
 expect "the drawing's exact counts are shown" 1 'vertices +370 .*edges +475 .*faces +108 ' "$plumbline" check "$examples/office-plan.svg"
 expect "info names overlaps and antennas" 0 '3 pairs of different segments.*100 antennas' "$plumbline" info "$examples/office-plan.svg"
+ln -s p.svg q.svg
+expect "an output is not overwritten by way of a link to it" 2 'overwrite.*q.svg' "$plumbline" check in.svg --picture p.svg --plot q.svg
+rm q.svg
 expect "it shows and plots the tolerance ladder" 0 '0\.087 +357 +462 +108  vertices .*and 249 more steps' "$plumbline" info "$examples/office-plan.svg" --ladder --plot l.svg
 expect "the plot is a picture" 0 'tolerance ladder' grep -o 'tolerance ladder' l.svg
 expect "a plot is an SVG file" 2 'svg.*"l.png"' "$plumbline" info "$examples/office-plan.svg" --plot l.png
@@ -152,6 +155,7 @@ printf '0,0,3,1\n1,0.2,1,5\n' >cross.lines
 expect "nearest doubles are proven to form the same complex" 0 'rounded to nearest doubles: same incidences, proven; largest movement [0-9.]+e-17' "$plumbline" arrange cross.lines --safe -o s.json
 expect "the file says so" 0 '"same_incidences": true' grep same_incidences s.json
 printf '0,0,3,1\n1,0.33333333333333333333333333334,1,5\n' >above.lines
+expect "coordinates must be, too" 2 'scaling.*beyond the largest double' "$plumbline" random 5 --scaling 1e308
 expect "where they do not, snap rounding does" 0 'snap rounded to multiples of 8.88e-16: 1 edges bent by at most [0-9.]+e-16; .*verified' "$plumbline" arrange above.lines --safe -o s.json
 expect "and the file lists what it did" 0 '"bent_edges"' grep bent_edges s.json
 expect "decimals are rounded safely too" 0 'rounded to 3 decimals: same incidences' "$plumbline" arrange cross.lines --safe --decimals 3 -o s.json
@@ -170,3 +174,4 @@ fi
 expect "the same input gives the same bytes" 0 '^$' bash -c 'cmp a.json b.json && cmp a.svg b.svg'
 leaves "nothing else was written" a.json a.svg b.json b.svg c.lines
 finish
+expect "and the counts are of what is written" 0 'written: 4 vertices, 3 edges' "$plumbline" arrange above.lines --safe -o s.json

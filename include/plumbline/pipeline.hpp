@@ -86,7 +86,8 @@ SegmentSet drawn(const Structure& structure);
 /// n random segments (LAR's `randomLines`, appendix of Paoluzzi, "Accelerated
 /// intersection of geometric objects", November 2015): the differences of random points of the unit
 /// square, scaled, about random points; moved to where the least coordinates are 0. A seed
-/// determines them, on every machine. Throws: Error BadInput for a scaling that is not finite.
+/// determines them, on every machine. Throws: Error BadInput for a scaling that is not finite, or
+/// with which the coordinates are not.
 std::vector<SegmentD> random_lines(std::size_t n, double scaling, std::uint64_t seed);
 
 }  // namespace plumbline

@@ -14,9 +14,11 @@
 namespace plumbline::cli {
 namespace {
 
+constexpr const char* kOutOfMemory = "out of memory";
+
 /// Made beforehand.
 std::string& error() {
-  static std::string result = "out of memory";
+  static std::string result = kOutOfMemory;
   return result;
 }
 
@@ -39,7 +41,7 @@ void gmp_free(void* memory, std::size_t /*size*/) { std::free(memory); }
 
 void limit_memory(const Limits& limits) {
   if (limits.bytes) {
-    error() = fmt::format("out of memory: more than --max-memory {}", limits.memory);
+    error() = fmt::format("{}: more than --max-memory {}", kOutOfMemory, limits.memory);
     // Not the address space: stacks and heaps of threads reserve much that they never use.
     struct ::rlimit limit = {};
     ::getrlimit(RLIMIT_DATA, &limit);
@@ -49,6 +51,8 @@ void limit_memory(const Limits& limits) {
   std::set_new_handler(end_without_memory);
   ::mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
 }
+
+bool is_memory_limited() { return error() != kOutOfMemory; }
 
 void end_without_memory() { end_with(error()); }
 

@@ -14,13 +14,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where the file is, or would be made: links followed, those that lead to nothing yet too.
+fs::path place_of(const std::string& name) {
+  constexpr int kMostLinks = 40;  // as kernels have it
+  std::error_code ignored;
+  // From the root on: weakly_canonical leaves alone what begins with a name that is not there.
+  fs::path file = fs::absolute(name, ignored);
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(file, ignored)); ++i) {
+    file = file.parent_path() / fs::read_symlink(file, ignored);
+  }
+  return fs::weakly_canonical(file, ignored);
+}
+
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
-  // From the root on: it leaves alone what begins with a name that is not there.
-  const auto full = [&](const std::string& name) {
-    return fs::weakly_canonical(fs::absolute(name, ignored), ignored);
-  };
-  return full(a) == full(b) || fs::equivalent(a, b, ignored);
+  return place_of(a) == place_of(b) || fs::equivalent(a, b, ignored);
 }
 
 }  // namespace

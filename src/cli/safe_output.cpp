@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/outputs.hpp"
+#include "cli/print.hpp"
 #include "cli/progress.hpp"
 #include "plumbline/output.hpp"
 
@@ -61,7 +62,8 @@ SafeOutput safe_output(const ArrangeArguments& arguments, const Drawing& drawing
   const Rounding rounding =
       safely_rounded(drawing.complex, arguments.grid, {arguments.threads, {}});
   SafeOutput output;
-  output.line = line(drawing, arguments.grid, rounding);
+  output.line = line(drawing, arguments.grid, rounding) +
+                "\nwritten: " + counts_line(rounding.complex, rounding.complex.vertices.size());
   const std::string kind = ending(*arguments.output);
   if (!rounding.valid_as_doubles) {
     if (kind == ".svg") {

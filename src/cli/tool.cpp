@@ -16,6 +16,11 @@
 namespace plumbline::cli {
 namespace {
 
+/// Whether a thread cannot be had since memory is limited.
+bool is_thread_missing(const std::error_code& code) {
+  return is_memory_limited() && code == std::errc::resource_unavailable_try_again;
+}
+
 /// What was printed is written, or that fails.
 void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
@@ -60,11 +65,13 @@ int run(int argc, char** argv, const std::vector<Engine>& engines) {
   } catch (const std::bad_alloc&) {
     end_without_memory();
   } catch (const std::system_error& error) {
+    if (is_thread_missing(error.code())) end_without_memory();
     fmt::print(stderr, "plumbline: {}\n", error.what());
     return kBadInput;
   } catch (const std::exception& error) {
     // TBB cannot start a thread: a limit of the user's, on memory or on processes.
     if (std::string_view(error.what()).starts_with("pthread_create has failed")) {
+      if (is_memory_limited()) end_without_memory();
       fmt::print(stderr, "plumbline: {}\n", error.what());
       return kBadInput;
     }

@@ -57,6 +57,13 @@ std::vector<SegmentD> random_lines(std::size_t n, double scaling, std::uint64_t 
   for (SegmentD& line : lines) {
     line = {{line.a.x - x, line.a.y - y}, {line.b.x - x, line.b.y - y}};
   }
+  const auto is_finite = [](const PointD& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+  if (!std::ranges::all_of(
+          lines, [&](const SegmentD& line) { return is_finite(line.a) && is_finite(line.b); })) {
+    throw Error(ErrorCode::BadInput,
+                "the scaling of random segments makes coordinates beyond the largest double", {},
+                shortest_text(scaling));
+  }
   return lines;
 }
 
