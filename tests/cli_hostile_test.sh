@@ -49,7 +49,7 @@ for ending in svg svgz dxf lines json geojson wkt wkb csv; do
   # Bytes of every value, in an order that repeats after 64 KB.
   awk 'BEGIN { x = 1; for (i = 0; i < 65536; ++i) { x = (75 * x + 74) % 65537; printf "\\x%02x", x % 256 } }' >codes
   printf '%b' "$(cat codes)" >noise.$ending 2>/dev/null
-  expect "binary noise as .$ending is refused" "$([[ $ending == lines ]] && echo 0 || echo 2)" '(^plumbline: noise|0 segments, [1-9][0-9]* rejected)' bash -c '"$@" 2>&1 | head -c 2000; exit "${PIPESTATUS[0]}"' - "$plumbline" arrange noise.$ending
+  expect "binary noise as .$ending is refused" 2 '^plumbline: noise' bash -c '"$@" 2>&1 | head -c 2000; exit "${PIPESTATUS[0]}"' - "$plumbline" arrange noise.$ending
   mkdir "dir.$ending"
   expect "a directory as .$ending is refused" 2 'is a directory' "$plumbline" info "dir.$ending"
   expect "a missing .$ending is told by its name" 2 "none\\.$ending: no such file" "$plumbline" info none.$ending
@@ -99,7 +99,7 @@ if [[ -z $sanitizer ]]; then
   for size in 1K 1M 4M 8M 12M 16M 20M 22M 24M 26M 28M 30M 32M 36M 40M 48M; do
     status=0
     output=$("$plumbline" check many.lines -o out.json --max-memory $size 2>&1) || status=$?
-    [[ $status -lt 2 || ($status == 2 && $output =~ out of memory: more than --max-memory $size) ]] ||
+    [[ $status -lt 2 || ($status == 2 && $output == *"out of memory: more than --max-memory $size"*) ]] ||
       failed "--max-memory $size: exit $status: $(tail -c 300 <<<"$output")"
     rm -f out.json
   done
@@ -138,7 +138,7 @@ expect "100,000 nested collections are refused or empty" 2 'deep\.wkt' "$plumbli
 digits=$(printf '9%.0s' {1..100000})
 for _ in {1..10}; do printf '%s' "$digits"; done >million
 printf '%s,0,1,1\n0,0,1,1\n' "$(cat million)" >digits.lines
-expect "a number of a million digits is rejected, the rest goes on" 0 '1 segments, 1 rejected' "$plumbline" arrange digits.lines
+expect "a number of a million digits is rejected, the rest goes on" 0 '1 segments, 1 rejected' "$plumbline" arrange digits.lines --lenient
 printf '{"V": [[%s, 0], [1, 1]], "EV": [[0, 1]]}' "$(cat million)" >digits.json
 expect "or refused in JSON" 2 'digits\.json' "$plumbline" arrange digits.json
 triangle >a.lines

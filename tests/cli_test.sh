@@ -22,7 +22,13 @@ expect "malformed XML is told with file and line" 2 'bad\.svg:1' "$plumbline" ch
 leaves "an error leaves no output file" a.txt bad.svg
 
 svg '<line x2="1e99999999999"/><line x1="0" y1="0" x2="1" y2="1"/>' >a.svg
-expect "a monstrous number is rejected, the rest goes on" 0 '1 segments, 1 rejected' "$plumbline" arrange a.svg
+expect "a monstrous number is rejected; that is an error, which names the way out" 2 'a.svg:2:1: not all is drawn: 1 item that looks like geometry.*line: .*--lenient' "$plumbline" arrange a.svg
+expect "on which the rest goes on" 0 '1 segments, 1 rejected' "$plumbline" arrange a.svg --lenient
+for command in info check lar eval; do
+  expect "so it is of every command: $command" 2 '--lenient' "$plumbline" $command a.svg
+done
+expect "info says what it knows nevertheless" 2 '2 vertices, 1 edges' "$plumbline" info a.svg
+expect "a lenient check does not say that all is well" 1 '^agree; not all was read: 1 rejected' "$plumbline" check a.svg --lenient
 svg '<line x1="1" x2="1"/><text x="3">t</text><line x2="4" y2="1"/>' >b.svg
 expect "what takes no part is listed with its line" 0 'text.*line 2' "$plumbline" info b.svg
 svg '<circle r="1"/><g display="none"><line x2="4"/></g>' >c.svg
@@ -34,7 +40,21 @@ expect "a tolerance is a number" 2 'not a number.*"fine"' "$plumbline" check c.s
 rm c.svg
 svg '' >empty.svg
 expect "an empty drawing is a drawing" 0 '0 vertices, 0 edges.*1 faces' "$plumbline" arrange empty.svg -o empty.json
-expect "an empty drawing checks" 0 'agree' "$plumbline" check empty.svg --picture empty-check.svg
+expect "but nothing to agree about" 2 'nothing of the file is drawn.*--lenient' "$plumbline" check empty.svg
+expect "not even for the lenient" 1 '^nothing was drawn' "$plumbline" check empty.svg --lenient --picture empty-check.svg
+svg '<text>t</text>' >text.svg
+printf '0,0,1,0\n1,0,x,1\n1,1,0,0\n' >bad.csv
+printf '[((0,0),(1,0))]\n' >python.lines
+for drawing in text.svg bad.csv python.lines; do
+  expect "what cannot be read is no agreement: $drawing" 2 "$drawing:.*--lenient" "$plumbline" check $drawing
+done
+rm text.svg bad.csv python.lines
+echo 'POLYGON((0 0,4 0,4 4))' >open.wkt
+expect "what is drawn with a remark is no error" 0 '0 rejected, 1 remark.*remark: 1 x Polygon: ring is not closed' "$plumbline" info open.wkt
+echo '[[[0,0],[4,0]],[[4,0],[4,4]],[[4,4],[0,0]]]' >bare.json
+expect "a bare list of segments is a drawing" 0 '3 vertices, 3 edges' "$plumbline" arrange bare.json
+expect "and a result" 0 '^agree' "$plumbline" check bare.json --against bare.json
+rm open.wkt bare.json
 leaves "the outputs are there, and nothing else" a.svg b.svg empty-check.svg empty.json empty.svg
 
 expect "a certificate comes with the command that checks it" 0 'eval .*dwelling.svg --flatten 0.5 -o x.certificate.lines && plumbline-verify x.certificate.lines x.certificate' "$plumbline" arrange "$examples/dwelling.svg" --flatten 0.5 --certify x.certificate
@@ -44,6 +64,9 @@ expect "an unknown output format is refused before the work" 2 'json.*svg.*out\.
 expect "an empty output name is refused" 2 'output' "$plumbline" arrange "$examples/dwelling.svg" -o ''
 expect "a picture is an .svg file" 2 'ends in \.svg.*p\.json' "$plumbline" check "$examples/dwelling.svg" --picture p.json
 cp "$examples/dwelling.svg" in.svg
+ln -s p.svg q.svg
+expect "an output is not overwritten by way of a link to it" 2 'overwrite.*q.svg' "$plumbline" check in.svg --picture p.svg --plot q.svg
+rm q.svg
 expect "a drawing is not overwritten" 2 'overwrite.*in\.svg' "$plumbline" arrange in.svg -o ./in.svg
 expect "nor by a picture" 2 'overwrite' "$plumbline" check in.svg --picture in.svg
 expect "the drawing is what it was" 0 '^$' cmp in.svg "$examples/dwelling.svg"
@@ -58,15 +81,15 @@ expect "short decimals leave nothing to find" 0 '^agree.*1 number was replaced, 
 rm -f in.svg tiny.lines tiny.svg printed.lines
 expect "an output that cannot be written is an error" 2 'none/out\.json' "$plumbline" arrange "$examples/dwelling.svg" -o none/out.json
 expect "a negative radius is refused" 2 'radius' "$plumbline" check "$examples/dwelling.svg" --radius -1
+expect "a radius has a name and a value" 0 'radius 0.361176 .larlib: 0.001 on the unit square., tol' "$plumbline" check "$examples/dwelling.svg" --radius larlib
+expect "the report says which was used" 0 '"radius_from": "plasm"' bash -c "'$plumbline' check '$examples/dwelling.svg' --radius plasm -o p.json; grep radius_from p.json; rm p.json"
+expect "also of one stage after the other" 0 'radius 1e-08 .plasm.' "$plumbline" lar "$examples/dwelling.svg" --radius plasm
 expect "a radius that is no number is refused" 2 'radius' "$plumbline" check "$examples/dwelling.svg" --radius much
 expect "nan is no tolerance" 2 'tolerance' "$plumbline" check "$examples/dwelling.svg" --tolerance nan
 expect "agreement is exit code 0" 0 '^agree' "$plumbline" check "$examples/hospital-emergency.svg"
 expect "disagreement is exit code 1" 1 '^disagree' "$plumbline" check "$examples/office-plan.svg" -o a.json --picture a.svg
 expect "the drawing's exact counts are shown" 1 'vertices +370 .*edges +475 .*faces +108 ' "$plumbline" check "$examples/office-plan.svg"
 expect "info names overlaps and antennas" 0 '3 pairs of different segments.*100 antennas' "$plumbline" info "$examples/office-plan.svg"
-ln -s p.svg q.svg
-expect "an output is not overwritten by way of a link to it" 2 'overwrite.*q.svg' "$plumbline" check in.svg --picture p.svg --plot q.svg
-rm q.svg
 expect "it shows and plots the tolerance ladder" 0 '0\.087 +357 +462 +108  vertices .*and 249 more steps' "$plumbline" info "$examples/office-plan.svg" --ladder --plot l.svg
 expect "the plot is a picture" 0 'tolerance ladder' grep -o 'tolerance ladder' l.svg
 expect "a plot is an SVG file" 2 'svg.*"l.png"' "$plumbline" info "$examples/office-plan.svg" --plot l.png
@@ -122,6 +145,7 @@ expect "of as many segments" 0 '100 segments, 0 rejected' "$plumbline" lar r.lin
 "$plumbline" random 100 --scaling 0.5 --seed 4 >printed
 expect "the same seed prints the same rows" 0 '' cmp printed r.lines
 rm -f printed 1.json 2.json r.lines
+expect "coordinates must be, too" 2 'scaling.*beyond the largest double' "$plumbline" random 5 --scaling 1e308
 expect "a scaling must be finite" 2 'scaling.*inf' "$plumbline" random 1 --scaling inf
 expect "random segments go to a .lines file" 2 'lines' "$plumbline" random 1 -o r.svg
 structures=$examples/../structures
@@ -155,8 +179,8 @@ printf '0,0,3,1\n1,0.2,1,5\n' >cross.lines
 expect "nearest doubles are proven to form the same complex" 0 'rounded to nearest doubles: same incidences, proven; largest movement [0-9.]+e-17' "$plumbline" arrange cross.lines --safe -o s.json
 expect "the file says so" 0 '"same_incidences": true' grep same_incidences s.json
 printf '0,0,3,1\n1,0.33333333333333333333333333334,1,5\n' >above.lines
-expect "coordinates must be, too" 2 'scaling.*beyond the largest double' "$plumbline" random 5 --scaling 1e308
 expect "where they do not, snap rounding does" 0 'snap rounded to multiples of 8.88e-16: 1 edges bent by at most [0-9.]+e-16; .*verified' "$plumbline" arrange above.lines --safe -o s.json
+expect "and the counts are of what is written" 0 'written: 4 vertices, 3 edges' "$plumbline" arrange above.lines --safe -o s.json
 expect "and the file lists what it did" 0 '"bent_edges"' grep bent_edges s.json
 expect "decimals are rounded safely too" 0 'rounded to 3 decimals: same incidences' "$plumbline" arrange cross.lines --safe --decimals 3 -o s.json
 expect "in the numbers of the file" 0 '"nearest": .1, 0.333.' grep 0.333 s.json
@@ -174,4 +198,3 @@ fi
 expect "the same input gives the same bytes" 0 '^$' bash -c 'cmp a.json b.json && cmp a.svg b.svg'
 leaves "nothing else was written" a.json a.svg b.json b.svg c.lines
 finish
-expect "and the counts are of what is written" 0 'written: 4 vertices, 3 edges' "$plumbline" arrange above.lines --safe -o s.json

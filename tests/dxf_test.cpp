@@ -159,7 +159,7 @@ TEST_CASE("z is left out and counted") {
       "0 0, 1 0 | a.dxf:6 LINE (A)\n"
       "0 1, 1 1 | a.dxf:22 LINE (B)\n"
       "0 5, 1 5 | a.dxf:36 LWPOLYLINE (B)\n"
-      "rejected:\n"
+      "remarks:\n"
       "a.dxf:6 LINE (A): z is left out: drawn as it is seen from above (2 of them)\n");
 }
 
@@ -173,6 +173,19 @@ TEST_CASE("what is not drawn is listed by kind, with counts") {
         "a.dxf:26 FROBNICATE (0): not understood\n"
         "a.dxf:30 LINE (0): in paper space\n"
         "a.dxf:44 POLYLINE (0): in paper space\n");
+}
+
+TEST_CASE("what is no line work is harmless; what may be is lost") {
+  const auto lost = [](const std::string& entities) {
+    return lost_of(evaluate(read_dxf(dxf_with(entities), "a.dxf")));
+  };
+  CHECK(lost("0 TEXT 0 MTEXT 0 ATTDEF 0 DIMENSION 0 LEADER 0 HATCH 0 IMAGE 0 WIPEOUT 0 POINT "
+             "0 VIEWPORT 0 LINE 67 1 0 LINE 8 0 10 1 20 1 11 1 21 1")
+            .empty());
+  CHECK(lost("0 MLINE 0 XLINE 0 3DSOLID 0 REGION 0 ACAD_PROXY_ENTITY 0 FROBNICATE") ==
+        "MLINE XLINE 3DSOLID REGION ACAD_PROXY_ENTITY FROBNICATE ");
+  CHECK(lost("0 INSERT 8 0 2 none 0 CIRCLE 8 0 10 0 20 0 40 -1 0 LINE 8 0 10 0 20 0 11 1") ==
+        "INSERT CIRCLE LINE ");
 }
 
 TEST_CASE("an entity at fault is listed with line, group and text; the others are drawn") {
@@ -204,7 +217,7 @@ TEST_CASE("a file that is cut off is read as far as it goes, which is listed") {
         "rejected:\na.dxf:15 EOF: the file ends inside a section\n");
   CHECK(listing_of(dxf_lines("0 SECTION 2 ENTITIES 0 LINE 10 0 20 0 11 1 21 1 0 ENDSEC")) ==
         "0 0, 1 1 | a.dxf:6 LINE (0)\n"
-        "rejected:\na.dxf:17 EOF: the file ends without EOF\n");
+        "remarks:\na.dxf:17 EOF: the file ends without EOF\n");
 }
 
 TEST_CASE("data of applications and embedded objects are not taken for the entity's own") {

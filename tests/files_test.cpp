@@ -235,7 +235,9 @@ TEST_CASE("result: what is left out of a result is listed") {
   CHECK(result.rejected[0].reason == "this member of a LAR model is not understood");
   CHECK(result.rejected[1].text == "1 face");
   const files::Result points = files::read_wkt("POINT(1 1);POLYGON((0 0,1 0,0 1))", "f");
-  REQUIRE(points.rejected.size() == 2);
-  CHECK(points.rejected[1].reason == "ring is not closed; it is taken as closed");
+  REQUIRE(points.rejected.size() == 1);
+  CHECK(points.rejected[0].harmless);
+  REQUIRE(points.remarks.size() == 1);
+  CHECK(points.remarks[0].what == "ring is not closed; it is taken as closed");
   CHECK(points.has_faces);
 }

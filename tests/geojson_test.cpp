@@ -181,16 +181,17 @@ TEST_CASE("rings are drawn as they are; one that is not closed is listed") {
         "0 0, 4 0 | a.geojson:1:1 Polygon\n"
         "4 0, 4 4 | a.geojson:1:1 Polygon\n"
         "rejected:\n"
-        "a.geojson:1:1 Polygon: ring is not closed; it is drawn as it is: 1 ring\n"
-        "a.geojson:1:1 Polygon: line of a single point: 1 line\n");
+        "a.geojson:1:1 Polygon: line of a single point: 1 line\n"
+        "remarks:\n"
+        "a.geojson:1:1 Polygon: ring is not closed; it is drawn as it is: 1 ring\n");
 }
 
 TEST_CASE("what is not used or drawn is listed") {
   const auto rejected = [](const std::string& geometry) { return listed(geometry); };
   const std::string at = "rejected:\na.geojson:1:1 ";
   CHECK(rejected(line("[[0, 0, 5], [1, 1, 6, 7]]")) ==
-        "0 0, 1 1 | a.geojson:1:1 LineString\n" + at +
-            "LineString: coordinates beyond x and y are not used: 1 element from here on\n");
+        "0 0, 1 1 | a.geojson:1:1 LineString\nremarks:\na.geojson:1:1 "
+        "LineString: coordinates beyond x and y are not used: 1 element from here on\n");
   CHECK(rejected(line("[]")) == at + "LineString: has no points\n");
   CHECK(rejected(line("[[0, 0], [1]]")) == at + "LineString: position of one number\n");
   CHECK(rejected(line("[[0, 0], []]")) == at + "LineString: position without numbers\n");
@@ -227,8 +228,8 @@ TEST_CASE("a feature that breaks the format is listed, the others are drawn") {
   CHECK(beside_good(R"({"type": "FeatureCollection", "features": [)" + good + "]}") ==
         drawn + "a.geojson:1:44 FeatureCollection: no Feature by its type: FeatureCollection\n");
   CHECK(beside_good(R"({"geometry": )" + line("[[2, 2], [3, 3]]") + "}") ==
-        "2 2, 3 3 | a.geojson:1:44 LineString\n" + drawn +
-            "a.geojson:1:44 object: no Feature by its type; what it contains is drawn\n");
+        "2 2, 3 3 | a.geojson:1:44 LineString\n0 0, 1 1 | a.geojson:2:1 LineString #1\nremarks:\n"
+        "a.geojson:1:44 object: no Feature by its type; what it contains is drawn\n");
   CHECK(beside_good(feature(R"({"type": "Circle", "coordinates": [0, 0]})", R"("id": 2)")) ==
         drawn + "a.geojson:1:76 object: no geometry by its type: Circle\n");
   CHECK(beside_good(feature(good, R"("id": 2)")) ==

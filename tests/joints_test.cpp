@@ -123,8 +123,8 @@ TEST_CASE("a curve whose end may be either of two, equally near, meets neither a
   const SegmentSet set = segments(arc("0", "0", "10.0000000000012", "0", "90") +
                                   line("-0.00000000000004", "10.0000000000012", "-5", "20") +
                                   line("0.00000000000004", "10.0000000000012", "5", "20"));
-  REQUIRE(set.rejected.size() == 1);
-  CHECK(set.rejected.front().reason.find("equally near") != std::string::npos);
+  REQUIRE(set.remarks.size() == 1);
+  CHECK(set.remarks.front().what.find("equally near") != std::string::npos);
 }
 
 TEST_CASE("lines that end on a circle end in a vertex of it") {

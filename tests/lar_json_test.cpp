@@ -65,11 +65,35 @@ TEST_CASE("faces without edges are a LAR model, which draws what `edges` finds")
         std::vector<std::uint32_t>{1, 2, 4});
 }
 
+TEST_CASE("a bare list of segments is read, however many they are") {
+  const std::string a = "[[0,0],[1,0]]", b = "[[1,0],[1,1]]", c = "[[1,1],[0,0.5]]";
+  CHECK(listed("[" + a + "]") == "0 0, 1 0 | a.json:1:2 line\n");
+  CHECK(listed("[" + a + "," + b + "]") ==
+        "0 0, 1 0 | a.json:1:2 line\n1 0, 1 1 | a.json:1:16 line\n");
+  CHECK(listed("[" + a + "," + b + "," + c + "]") ==
+        "0 0, 1 0 | a.json:1:2 line\n1 0, 1 1 | a.json:1:16 line\n1 1, 0 0.5 | a.json:1:30 line\n");
+  CHECK(listed("[[[0,0],[1,0]],[[1,0],[0,1]],[[0,1],[1,0]]]").starts_with("0 0, 1 0 | a.json:1:2"));
+  CHECK(listed("[" + a + "," + a + "," + b + "," + c + "," + a + "]").find("rejected") ==
+        std::string::npos);
+  CHECK(error_of("[" + a + "," + b + "," + c + "," + a + ",[[1,2]]]").find("two points") !=
+        std::string::npos);
+}
+
+TEST_CASE("a list that is segments and a model alike is refused with both readings") {
+  const std::string error = error_of("[[[0,0],[1,1]],[[0,1],[1,0]]]");
+  CHECK(error.find("two ways") != std::string::npos);
+  CHECK(error.find(R"({"lines": [...]})") != std::string::npos);
+  CHECK(error.find("(V, EV)") != std::string::npos);
+  // A model still.
+  CHECK(listed("[[[0,0],[5,0],[0,5]],[[0,1],[1,2]]]").find("EV") != std::string::npos);
+  CHECK(listed("[[[0,0],[5,0]],[[0,1]]]") == "0 0, 5 0 | a.json:1:17 EV\n");
+}
+
 TEST_CASE("what is not drawn is listed") {
   CHECK(listed(R"({"V": [[0, 0, 7], [1, 1, 8], [2, 2, 9]], "EV": [[0, 1]], "CV": [[0, 1, 2]]})") ==
         "0 0, 1 1 | a.json:1:49 EV\nrejected:\n"
         "a.json:1:64 CV: this member of a LAR model is not understood\n"
-        "a.json V: isolated points are not drawn: 1 point\n"
+        "a.json V: isolated points are not drawn: 1 point\nremarks:\n"
         "a.json:1:16 V: coordinates beyond x and y are not used: 3 elements from here on\n");
   CHECK(listed(R"({"V": [], "EV": []})").empty());
 }

@@ -64,7 +64,7 @@ TEST_CASE("compact JSON is arrays of vertices, edges with their segments, and fa
             R"("vertices":[["0","0"],["0","1/3"],["1","0"],["5","5"]],)"
             R"("edges":[[0,1,2],[0,2,0,3],[1,2,1]],)"
             R"("faces":[[null,[1,3,-2]],[[-1,2,-3]]],"isolated_vertices":[[0,3]],)"
-            R"("files":["text"],"rejected":[],"ledger":[]})"
+            R"("files":["text"],"rejected":[],"remarks":[],"ledger":[]})"
             "\n");
 }
 

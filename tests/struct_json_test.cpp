@@ -147,6 +147,9 @@ TEST_CASE("a structure that is written is read back, equal") {
   structure.structs[structure.root].body.emplace_back(lines);
   structure.structs.push_back(
       {"", "grid", {cuboids({2, 1}, true), Affine{0, 1, 1, 0, Rational(1, 3), 0}}});
+  structure.rejected = {{{0, 2, 3, "text", "", ""}, "not understood", "t", true},
+                        {{0, 4, 5, "MLINE", "", ""}, "not understood", "", false}};
+  structure.remarks = {{{0, 6, 7, "Polygon", "7", ""}, "ring is not closed", "1 ring"}};
   Structure again = read_text(to_json(structure));
   REQUIRE(again.files == std::vector<std::string>{"b.svg", "a.json"});
   again.files.pop_back();

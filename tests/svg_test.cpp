@@ -17,6 +17,7 @@ plumbline::SegmentSet drawn(const std::string& content) {
 
 std::string segments(const std::string& content) { return segments_of(drawn(content)); }
 std::string rejected(const std::string& content) { return rejected_of(drawn(content)); }
+std::string remarks(const std::string& content) { return remarks_of(drawn(content)); }
 
 }  // namespace
 
@@ -169,21 +170,30 @@ TEST_CASE("geometry that a style attribute places is rejected") {
   CHECK(segments("<line x2='1' style='fill:none;stroke-width:2;rx:3;;'/>") == "0 0, 1 0\n");
 }
 
+TEST_CASE("what is no line work is harmless; what may be is lost") {
+  CHECK(lost_of(drawn("<text>a</text><image/><foreignObject/><rect width='0' height='1'/>"
+                      "<path d='M1 1'/><line/><defs><line x2='1'/></defs><switch><text/></switch>"))
+            .empty());
+  CHECK(lost_of(drawn("<path d='M0 0L1 1X'/><use href='#none'/><switch><line x2='1'/></switch>"
+                      "<rect width='-1' height='1'/><line x2='a'/>")) ==
+        "path use switch rect line ");
+}
+
 TEST_CASE("what maps the root's user units to a page is listed, and not applied") {
   const auto set =
       evaluate(read_svg("<svg transform=\"scale(2)\"><line x2=\"1\" y2=\"1\"/></svg>", "a.svg"));
   CHECK(segments_of(set) == "0 0, 1 1\n");
-  CHECK(rejected_of(set).find("1:1 svg: transform of the root svg") != std::string::npos);
+  CHECK(remarks_of(set).find("1:1 svg: transform of the root svg") != std::string::npos);
 }
 
 TEST_CASE("a style sheet that moves or hides is listed, one that colours is not") {
   const std::string line = "<line x2=\"1\" y2=\"1\"/>";
-  CHECK(rejected("<style>line{transform:scale(2)}</style>" + line).find("style sheets are not") !=
+  CHECK(remarks("<style>line{transform:scale(2)}</style>" + line).find("style sheets are not") !=
         std::string::npos);
-  CHECK(rejected("<style>.h{display:none}</style>" + line) != "");
-  CHECK(rejected("<style>line{stroke:red}</style>" + line) == "");
+  CHECK(remarks("<style>.h{display:none}</style>" + line) != "");
+  CHECK(remarks("<style>line{stroke:red}</style>" + line) == "");
   CHECK(
-      rejected("<defs><style>line{visibility:hidden}</style></defs>" + line) ==
+      remarks("<defs><style>line{visibility:hidden}</style></defs>" + line) ==
       "a.svg:1:12 style: style sheets are not interpreted: visibility: line{visibility:hidden}\n");
 }
 
@@ -193,9 +203,9 @@ TEST_CASE("a nested svg is moved by x and y; its clipping is listed, and not app
                          "a.svg")) == "0.5 2, 1.5 2 | a.svg:1:70 line (s)\n");
   CHECK(listing(read_svg("<svg><svg width='5'><line x2='1'/></svg></svg>", "a.svg")) ==
         "0 0, 1 0 | a.svg:1:21 line\n"
-        "rejected:\n"
+        "remarks:\n"
         "a.svg:1:6 svg: clipping by a viewport is not applied\n");
-  CHECK(rejected("<svg width='5' overflow='visible'><line x2='1'/></svg>").empty());
+  CHECK(remarks("<svg width='5' overflow='visible'><line x2='1'/></svg>").empty());
   CHECK(listing(read_svg("<svg><svg viewBox='0 0 2 2'><line x2='1'/></svg></svg>", "a.svg")) ==
         "rejected:\n"
         "a.svg:1:6 svg: viewBox in a viewport of unknown extent: viewBox=\"0 0 2 2\"\n");

@@ -172,7 +172,7 @@ TEST_CASE("a symbol is drawn by use only, in a viewport of the use's extents") {
   CHECK(segments(symbol).empty());
   CHECK(listing(structure(symbol + "<use id='u' href='#s' x='1' width='20' height='20'/>")) ==
         "1 0, 21 20 | a.svg:2:36 line (u/s)\n"
-        "rejected:\n"
+        "remarks:\n"
         "a.svg:2:1 symbol #s (u): clipping by a viewport is not applied\n");
   CHECK(segments(symbol + "<use href='#s'/>") == "50 0, 150 100\n");
   // Each size is a Struct of its own, each use of one size is the same.

@@ -105,7 +105,7 @@ TEST_CASE("coordinates beyond x and y are noted, however their presence is writt
                            "LINESTRINGM(0 0 5,1 1 6)"}) {
     CHECK(
         listed(text) ==
-        "0 0, 1 1 | a.wkt:1:1 LineString\nrejected:\n"
+        "0 0, 1 1 | a.wkt:1:1 LineString\nremarks:\n"
         "a.wkt:1:1 LineString: coordinates beyond x and y are not used: 1 element from here on\n");
   }
 }
@@ -131,9 +131,19 @@ TEST_CASE("what has no lines is listed, empty parts are passed over") {
         "a.wkt:11:1 LineString: line of a single point: 1 line\n");
 }
 
+TEST_CASE("points and what is empty are harmless; curves and odd numbers are lost") {
+  CHECK(lost_of(evaluate(read_wkt("POINT (1 2)\nLINESTRING EMPTY\nLINESTRING (1 1)\n"
+                                  "LINESTRING (1 1, 1 1)\nPOLYGON ((0 0, 1 0, 1 1))",
+                                  "a")))
+            .empty());
+  CHECK(lost_of(evaluate(read_wkt("CIRCULARSTRING (0 0, 1 1, 2 0)\nLINESTRING (0 0, 1 NaN)\n"
+                                  "LINESTRING (0 0, 1e100 1)",
+                                  "a"))) == "CIRCULARSTRING LineString LineString ");
+}
+
 TEST_CASE("a ring that is not closed is listed and not closed") {
   CHECK(listed("POLYGON ((0 0, 1 0, 1 1))") ==
-        "0 0, 1 0 | a.wkt:1:1 Polygon\n1 0, 1 1 | a.wkt:1:1 Polygon\nrejected:\n"
+        "0 0, 1 0 | a.wkt:1:1 Polygon\n1 0, 1 1 | a.wkt:1:1 Polygon\nremarks:\n"
         "a.wkt:1:1 Polygon: ring is not closed; it is drawn as it is: 1 ring\n");
   CHECK(listed("TRIANGLE ((0 0, 1.0 0, 1 1, 0 0.0))").find("closed") == std::string::npos);
 }
@@ -220,7 +230,7 @@ TEST_CASE("the SRID of the geometries is kept; one that differs is listed") {
   const auto two = read_wkt("SRID=1;LINESTRING (0 0, 1 1)\n SRID=2;LINESTRING (1 1, 2 2)", "a");
   CHECK(two.crs == "EPSG:1");
   CHECK(listing(two) ==
-        "0 0, 1 1 | a:1:1 LineString\n1 1, 2 2 | a:2:2 LineString\nrejected:\n"
+        "0 0, 1 1 | a:1:1 LineString\n1 1, 2 2 | a:2:2 LineString\nremarks:\n"
         "a:2:7 SRID: another reference system than EPSG:1; it is drawn as it is: EPSG:2\n");
   const Wkb line = Wkb().geometry(0x20000002U).number(25832).number(2).point(0, 0).point(1, 1);
   CHECK(read_wkb(line.bytes, "a").crs == "EPSG:25832");
@@ -260,7 +270,7 @@ TEST_CASE("WKB: parts are geometries of their own, Z and M and SRID are passed o
         "1 1, 0 0 | a.wkb MultiPolygon #1\nrejected:\n"
         "a.wkb Point: isolated points are not drawn: 1 point\n");
   const std::string noted =
-      "0 5, 1 6 | a.wkb LineString #1\nrejected:\n"
+      "0 5, 1 6 | a.wkb LineString #1\nremarks:\n"
       "a.wkb LineString: coordinates beyond x and y are not used: 1 element from here on\n";
   for (const std::uint32_t type : {3002U, 0xC0000002U}) {  // ISO's ZM and EWKB's
     CHECK(

@@ -134,7 +134,10 @@ struct Answer {
   Compared compared = Compared::All;
   /// Vertices nearer than this are one to the engine; none: it merges nothing. In drawing units.
   std::optional<double> radius = {};
-  std::vector<Rejected> dropped = {};    ///< what it left out, and notes; of a file `title`
+  /// Where the radius comes from: "number", or the name of a preset (`preset_radius`).
+  std::string radius_from = {};
+  std::vector<Rejected> dropped = {};    ///< what it left out, of a file `title`
+  std::vector<Remark> remarks = {};      ///< on what it did not leave out; of the same file
   std::vector<Explained> failures = {};  ///< what the engine itself says is wrong
   std::vector<std::string> stages = {};  ///< in their order; none: it can't be looked into
   std::function<std::shared_ptr<const Run>()> trace =

@@ -142,7 +142,8 @@ inline constexpr int kMaxCoordinateBits = 332;
 bool is_within_limit(const Point& p);
 bool is_within_limit(const Number& coordinate);
 
-/// Exact segments (and isolated points), each with its source; what was refused; and the exactness
+/// Exact segments (and isolated points), each with its source; what was refused, and what is to be
+/// said of the rest; and the exactness
 /// ledger, empty when every coordinate is exactly what the file says.
 class SegmentSet {
  public:
@@ -156,6 +157,7 @@ class SegmentSet {
   std::vector<Point> points;           ///< isolated points, for API users; no reader makes them
   std::vector<SourceId> point_source;  ///< per point
   std::vector<Rejected> rejected;
+  std::vector<Remark> remarks;
   std::vector<Replacement> ledger;
   std::string crs;    ///< name of the coordinates' reference system, where the files have one
   bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG
@@ -163,7 +165,7 @@ class SegmentSet {
   /// Adds a file name, returns its index.
   std::uint32_t add_file(std::string name);
   SourceId add_source(const Source& source);
-  /// Adds a segment; one without length or beyond the limit goes to `rejected` instead.
+  /// Adds a segment; one without length (harmless) or beyond the limit goes to `rejected` instead.
   void add(Segment segment, SourceId source);
   void add(NumberPoint a, NumberPoint b, SourceId source);
   /// Adds the segment with these double coordinates, taken as the dyadic rationals that they are; a

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plumbline/arrange.hpp"
@@ -55,6 +57,14 @@ Engine engine_for(Engine engine, const Drawing& drawing, const Parameters& param
 /// inters, which then also finds what its reader of SVG, svg2lines, would misread of the file.
 /// Throws: Error BadInput for a file that is no .svg, or is mapped to the unit square.
 Engine inters_with_svg2lines(const Drawing& drawing);
+
+/// Radii by where they come from.
+inline constexpr std::array<std::string_view, 3> kRadiusPresets{"larlib", "plasm", "drawing"};
+/// The radius of a preset: "larlib", 0.001 of the unit square, so times the longer side of the
+/// drawing's box, as larlib maps it; "plasm", 1e-8 in drawing units, as Plasm.jl and
+/// LinearAlgebraicRepresentation.jl have it; none for "drawing", the engine's own default.
+/// Requires: one of kRadiusPresets.
+std::optional<double> preset_radius(std::string_view preset, const SegmentSet& input);
 
 /// How to give advice unasked.
 struct AdvicePolicy {

@@ -49,11 +49,11 @@ Structure read(const std::filesystem::path& file, const ReadOptions& options = {
 /// ledger lists. Coordinates are user units of the root's viewBox, y downwards, as in the file: its
 /// width, height and transform, which map them to a page, are not applied. Transforms, viewports
 /// and units are exact, an inch being 96 user units. `rejected` lists by name and line every
-/// element that is not understood (text, image, ...), not drawn or not used, clipping viewports,
-/// and what follows an error in path data. Neither interpreted nor listed: clip-path, markers,
-/// style sheets that neither place nor hide, animation. Columns count bytes of UTF-8. No recursion:
-/// depth is limited by memory only. Throws: Error BadInput for malformed XML, a root other than
-/// `svg` and a cycle of references; Limit.
+/// element that is not understood (text, image, ...), not drawn or not used, and what follows an
+/// error in path data; `remarks` clipping viewports and style sheets, which are not applied.
+/// Neither interpreted nor listed: clip-path, markers, style sheets that neither place nor hide,
+/// animation. Columns count bytes of UTF-8. No recursion: depth is limited by memory only. Throws:
+/// Error BadInput for malformed XML, a root other than `svg` and a cycle of references; Limit.
 Structure read_svg(std::string_view text, const std::string& file_name,
                    const ReadOptions& options = {});
 
@@ -65,12 +65,12 @@ Structure read_svg(std::string_view text, const std::string& file_name,
 /// control points), 3DFACE, SOLID, TRACE; the projection along z. Coordinates are drawing units, y
 /// upwards; line weights, widths and thickness are ignored. `rejected` lists with their places what
 /// is malformed, missing or extruded in another direction than z, and per kind with counts what is
-/// not drawn: other entities, the paper space, z coordinates, with `visible_only` what is hidden
-/// (entities and edges marked so, layers that are off or frozen). The ledger lists, per kind,
-/// curves by their chords and angles by rational rotations. Source::line is the line of the
-/// entity's name; in a binary DXF, of its text form with two lines per group. No recursion. Throws:
-/// Error BadInput, with its line, for text that is no sequence of groups, for a text without
-/// sections and for a block within itself; Limit.
+/// not drawn: other entities, the paper space, with `visible_only` what is hidden (entities and
+/// edges marked so, layers that are off or frozen); `remarks` z coordinates, which are left out.
+/// The ledger lists, per kind, curves by their chords and angles by rational rotations.
+/// Source::line is the line of the entity's name; in a binary DXF, of its text form with two lines
+/// per group. No recursion. Throws: Error BadInput, with its line, for text that is no sequence of
+/// groups, for a text without sections and for a block within itself; Limit.
 Structure read_dxf(std::string_view text, const std::string& file_name,
                    const ReadOptions& options = {});
 
@@ -85,10 +85,10 @@ Structure read_lines(std::string_view text, const std::string& file_name,
 // geometry of several, or of a collection, is an element: of the second the id is "id/2", or "2"
 // where the geometry has none. A named reference system (GeoJSON's `crs`, a SRID n as "EPSG:n") is
 // kept in Structure::crs; geometries in another one are listed, and drawn as they are. Lines are
-// drawn from point to point, rings as they are: one that is not closed is listed in `rejected` and
-// not closed. Also listed: isolated points, which are not drawn; that there are coordinates beyond
-// x and y, which are not used; curved geometries. Of more than 10,000 listed items, each further
-// reason is listed once, with a count.
+// drawn from point to point, rings as they are: one that is not closed is listed in `remarks` and
+// not closed; so is that there are coordinates beyond x and y, which are not used. In `rejected`:
+// isolated points, which are not drawn; curved geometries. Of more than 10,000 listed items, each
+// further reason is listed once, with a count.
 
 /// GeoJSON (RFC 7946): any object, GeometryCollections of any depth. Sources are named by the id of
 /// the feature, else by its property id or name, in any case. `rejected` lists a feature or
@@ -123,6 +123,8 @@ Structure read_csv(std::string_view text, const std::string& file_name,
 /// [V, EV], [V, FV] or [V, FV, EV]. Edges are drawn, each an
 /// element with its place. Without any, the faces become a LarModel. Throws: Error BadInput for
 /// anything else, an index out of range in particular.
+/// Also a bare list of segments, [[[x1, y1], [x2, y2]], ...]; two of them whose second one could be
+/// edges between the ends of the first are refused, as a model and segments alike.
 Structure read_lar_json(std::string_view text, const std::string& file_name,
                         const ReadOptions& options = {});
 /// A LAR structure as JSON: {"root": name, "defs": {name: definition, ...}}. A definition is a

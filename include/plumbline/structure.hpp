@@ -53,6 +53,7 @@ struct Structure {
   std::vector<Struct> structs;
   StructId root;
   std::vector<Rejected> rejected;
+  std::vector<Remark> remarks;
   std::vector<Replacement> ledger;
   double angle_bound = kAngleBound;  ///< of what stands for rotations (`rotation`)
   std::string crs;    ///< name of the coordinates' reference system, where the files have one

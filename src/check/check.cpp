@@ -87,13 +87,17 @@ std::size_t crowded_vertices(const ExactComplex& complex, double radius) {
                     [&](const PointD& p) { return tree.nearest(p, 2, radius).size() > 1; }));
 }
 
-/// Adds what the answer left out to what the drawing's reader did.
+/// Adds what the answer left out, and its remarks, to those of the drawing's reader.
 void add_dropped(SegmentSet& input, const Answer& answer) {
-  if (answer.dropped.empty()) return;
+  if (answer.dropped.empty() && answer.remarks.empty()) return;
   const std::uint32_t file = input.add_file(answer.title);
   for (Rejected item : answer.dropped) {
     item.source.file = file;
     input.rejected.push_back(std::move(item));
+  }
+  for (Remark item : answer.remarks) {
+    item.source.file = file;
+    input.remarks.push_back(std::move(item));
   }
 }
 

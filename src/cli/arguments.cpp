@@ -19,7 +19,8 @@ constexpr const char* kDescription =
     "  plumbline eval table.json -o table.svg\n"
     "  plumbline random 5000 -o random.lines\n";
 constexpr const char* kExitCodes =
-    "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input or usage, or a "
+    "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input (also where "
+    "nothing of it, or not all that looks like geometry, is drawn: see --lenient) or usage, or a "
     "limit (--max-segments, --max-memory, --timeout), 3 internal; 130 after Ctrl-C, 143 after "
     "SIGTERM. However it ends, an output file is whole or not there.";
 

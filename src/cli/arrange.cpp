@@ -2,6 +2,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
+#include "cli/losses.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/safe_output.hpp"
@@ -36,7 +37,9 @@ void write_certificate(const ArrangeArguments& arguments, const Drawing& drawing
   fmt::print("to check it: {}plumbline-verify {} {}\n",
              is_plain ? ""
                       : fmt::format("plumbline eval {}{} -o {} && ", file,
-                                    reading_options(arguments.reading), lines),
+                                    reading_options(arguments.reading) +
+                                        (arguments.lenient ? " --lenient" : ""),
+                                    lines),
              lines, of);
 }
 
@@ -55,9 +58,9 @@ ExitCode run(const ArrangeArguments& arguments) {
   check_outputs(arguments.file,
                 {{arguments.output, endings}, {arguments.certificate, {".certificate"}}});
   const Drawing drawing = load(arguments);
+  ensure_all_drawn(arguments, drawing.input);
   fmt::print("{}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
-  fmt::print("{} segments, {} rejected\n{}", drawing.input.segments.size(),
-             drawing.input.rejected.size(), rejected_lines(drawing.input));
+  fmt::print("{}\n{}", input_line(drawing.input), rejected_lines(drawing.input));
   fmt::print("{}\nsignature {}\n", exactness_line(drawing.input), signature(drawing.complex));
   if (arguments.safe) {
     const SafeOutput output = safe_output(arguments, drawing);

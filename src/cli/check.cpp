@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
+#include "cli/losses.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
@@ -13,11 +14,24 @@
 namespace plumbline::cli {
 namespace {
 
-/// What --set says, and the short forms of it.
-Parameters parameters_of(const CheckArguments& arguments, const Engine& engine) {
+struct Asked {
   Parameters parameters;
+  std::string radius_from = "drawing";
+};
+
+/// What --set says, and the short forms of it. Presets of the radius are for this input; without
+/// one they are just known.
+Asked asked_of(const CheckArguments& arguments, const Engine& engine, const SegmentSet& input) {
+  Asked asked;
+  Parameters& parameters = asked.parameters;
   const auto set = [&](const std::string& name, const std::string& text) {
-    parameters[name] = parameter_value(engine, name, text);
+    if (name == "radius") asked.radius_from = is_preset(text) ? text : "number";
+    if (name != "radius" || !is_preset(text)) {
+      parameters[name] = parameter_value(engine, name, text);
+      return;
+    }
+    parameter_value(engine, name, "0");  // refused where the engine has no radius
+    if (const auto radius = preset_radius(text, input)) parameters[name] = *radius;
   };
   for (const std::string& setting : arguments.settings) {
     const std::size_t equals = setting.find('=');
@@ -29,14 +43,17 @@ Parameters parameters_of(const CheckArguments& arguments, const Engine& engine) 
   if (arguments.radius) set("radius", *arguments.radius);
   if (arguments.decimals) set("decimals", *arguments.decimals);
   if (arguments.result) set("result", *arguments.result);
-  return parameters;
+  return asked;
 }
 
 Answer answer_for(const CheckArguments& arguments, const Engine& engine, const Drawing& drawing) {
-  const Parameters parameters = parameters_of(arguments, engine);
-  return answer_of(arguments.with_svg2lines ? inters_with_svg2lines(drawing)
-                                            : engine_for(engine, drawing, parameters),
-                   drawing.input, parameters, arguments.threads);
+  const Asked asked = asked_of(arguments, engine, drawing.input);
+  Answer answer =
+      answer_of(arguments.with_svg2lines ? inters_with_svg2lines(drawing)
+                                         : engine_for(engine, drawing, asked.parameters),
+                drawing.input, asked.parameters, arguments.threads);
+  if (answer.radius) answer.radius_from = asked.radius_from;
+  return answer;
 }
 
 Check compare(const CheckArguments& arguments, const std::vector<Engine>& engines) {
@@ -45,14 +62,17 @@ Check compare(const CheckArguments& arguments, const std::vector<Engine>& engine
   std::optional<Answer> answer;
   if (arguments.against) {
     answer = files::answer(files::read(*arguments.against));
+    ensure_all_drawn(arguments, *arguments.against, answer->dropped, false);
   } else {
-    parameters_of(arguments, engine);
+    asked_of(arguments, engine, {});
   }
   if (arguments.with_svg2lines && arguments.engine != "inters") {
     throw Error(ErrorCode::BadInput, "--svg2lines belongs to --engine inters", {},
                 arguments.engine);
   }
   Drawing drawing = load(arguments);
+  ensure_all_drawn(arguments, arguments.file, drawing.input.rejected,
+                   drawing.input.segments.empty());
   std::optional<Progress> shown("running the engine " + arguments.engine);
   if (!answer) answer = answer_for(arguments, engine, drawing);
   return checked(std::move(drawing), std::move(*answer), arguments.tolerance, arguments.threads,
@@ -86,7 +106,8 @@ ExitCode run(const CheckArguments& arguments, const std::vector<Engine>& engines
   if (arguments.findings) write_file(*arguments.findings, to_geojson(result));
   if (arguments.plot) write_file(*arguments.plot, to_svg(*result.ladder, result.right_radii));
   fmt::print("{}", to_text(result, arguments.listed));
-  return result.agree() ? kAgree : kDisagree;
+  const bool is_whole = count_lost(result.input.rejected) == 0 && !result.input.segments.empty();
+  return result.agree() && is_whole ? kAgree : kDisagree;
 }
 
 }  // namespace plumbline::cli

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/engine.hpp"
 #include "plumbline/engines/lar_show.hpp"
+#include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/round.hpp"
 
@@ -27,6 +30,7 @@ struct Limits {
 struct InputArguments {
   std::string file;
   ReadOptions reading;
+  bool lenient = false;  ///< go on where not all that looks like geometry could be read
   Limits limits;
   std::vector<std::string> notes;  ///< to be told first, on standard error
 };
@@ -83,8 +87,8 @@ struct LarArguments : InputArguments {
   bool is_published = false;
   bool unit_square = false;
   std::optional<int> decimals;
-  std::optional<double> radius;
-  std::size_t threads = 0;  ///< 0: as many as there are cores
+  std::optional<std::string> radius;  ///< as text: a number or a preset
+  std::size_t threads = 0;            ///< 0: as many as there are cores
   LarPicture picture;
   std::optional<std::string> trace;
   std::optional<std::string> output;
@@ -99,6 +103,11 @@ struct EvalArguments : InputArguments {
   bool as_structure = false;
   std::optional<std::string> output;
 };
+
+/// Whether the text of a radius is the name of a preset and no number.
+inline bool is_preset(std::string_view radius) {
+  return std::ranges::find(kRadiusPresets, radius) != kRadiusPresets.end();
+}
 
 inline constexpr std::size_t kMostRandomSegments = 10'000'000;
 

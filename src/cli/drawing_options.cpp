@@ -85,8 +85,10 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
   command
       .add_option(
           "--radius", arguments.radius,
-          "The engine merges vertices no further apart than this, in drawing units "
-          "[default: 0.001 x the drawing's longer side; at least 2^-46 x its largest coordinate; "
+          "The engine merges vertices no further apart than this: a number in drawing units; "
+          "larlib, its 0.001 on the unit square, so x the drawing's longer side; plasm, 1e-8 as "
+          "Plasm.jl has it; drawing, the default [default: 0.001 x the drawing's longer side; at "
+          "least 2^-46 x its largest coordinate; "
           "of inters 0.001]")
       ->type_name("R");
   command

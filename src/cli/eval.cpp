@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cli/commands.hpp"
+#include "cli/losses.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
@@ -57,12 +58,15 @@ ExitCode run(const EvalArguments& arguments) {
     const Progress progress("reading " + arguments.file);
     structure = read(arguments.file, arguments.reading);
   }
+  ensure_all_drawn(arguments, arguments.file, structure.rejected,
+                   dimension(structure) == 0 && !structure.rejected.empty());
   if (arguments.category) structure = only(structure, *arguments.category);
   if (arguments.embed != 0) structure = embed(structure, arguments.embed);
   print_structure(structure);
   SegmentSet report;  // nothing but what was refused and replaced
   std::swap(report.files, structure.files);
   std::swap(report.rejected, structure.rejected);
+  std::swap(report.remarks, structure.remarks);
   report.ledger = structure.ledger;
   LarModel model = struct_to_lar(
       structure, {arguments.decimals, arguments.merge_cells, arguments.reading.max_segments});
@@ -84,12 +88,12 @@ ExitCode run(const EvalArguments& arguments) {
     write_file(*arguments.output, to_svg(lines));
   } else if (ending(*arguments.output) == ".lines") {
     const SegmentSet lines = evaluate(structure);
-    fmt::print("{} segments, {} rejected\n{}", lines.segments.size(), lines.rejected.size(),
-               rejected_lines(lines));
+    fmt::print("{}\n{}", input_line(lines), rejected_lines(lines));
     write_file(*arguments.output, to_lines(lines));
   } else if (arguments.as_structure) {
     std::swap(report.files, structure.files);
     std::swap(report.rejected, structure.rejected);
+    std::swap(report.remarks, structure.remarks);
     write_file(*arguments.output, to_json(structure));
   } else {
     write_file(*arguments.output, to_json(model));

@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
+#include "cli/losses.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
@@ -75,9 +76,8 @@ ExitCode run(const InfoArguments& arguments) {
       arguments.file,
       {{arguments.plot, {".svg"}}, {arguments.output, {".json"}}, {arguments.picture, {".svg"}}});
   const Drawing drawing = load(arguments);
-  fmt::print("drawing      {}: {} elements, {} segments, {} rejected\n", line_text(arguments.file),
-             drawing.input.sources.size(), drawing.input.segments.size(),
-             drawing.input.rejected.size());
+  fmt::print("drawing      {}: {} elements, {}\n", line_text(arguments.file),
+             drawing.input.sources.size(), input_line(drawing.input));
   fmt::print("{}", rejected_lines(drawing.input));
   fmt::print("exactness    {}\n", exactness_line(drawing.input));
   print_extent(drawing.complex);
@@ -90,6 +90,7 @@ ExitCode run(const InfoArguments& arguments) {
   fmt::print("signature    {}\n", signature(drawing.complex));
   if (arguments.ladder || arguments.plot) print_ladder(drawing.complex, arguments.plot);
   if (arguments.diagnose) print_diagnosis(drawing, arguments);
+  ensure_all_drawn(arguments, drawing.input);
   return kAgree;
 }
 

@@ -102,6 +102,10 @@ void add_input(CLI::App& command, InputArguments& arguments, const char* file) {
       "where there is one: 420.34000000000003 as 420.34; the ledger counts them");
   command.add_flag("--visible", arguments.reading.visible_only,
                    "Leave out, and list, what the drawing hides; else it is drawn");
+  command.add_flag("--lenient", arguments.lenient,
+                   "Go on without what looks like geometry and cannot be read, also where nothing "
+                   "can; without it that is an error, exit code 2 (check: the exit code is then "
+                   "1, also where all that was read agrees)");
   command
       .add_option("--max-segments", arguments.reading.max_segments,
                   "Give up, with exit code 2, where the drawing has more segments (eval: segments "

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/losses.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
@@ -23,9 +24,23 @@ std::string sizes(std::span<const std::size_t> edges_of_components) {
                      shown.size() < edges_of_components.size() ? ", ..." : "");
 }
 
-void print(const inters::Trace& trace) {
-  fmt::print("variant      published: {} decimals, radius {}\n", trace.options.decimals,
-             shortest_text(trace.options.radius));
+/// The radius that was asked for, of a drawing as the pipeline gets it; none: its own.
+std::optional<double> radius_of(const LarArguments& arguments, const SegmentSet& input) {
+  const std::string radius = arguments.radius.value_or("drawing");
+  if (!is_preset(radius)) return nearest_double(parse_decimal(radius));
+  return preset_radius(radius, arguments.unit_square ? lar::to_unit_square(input) : input);
+}
+
+/// "radius 0.5 (larlib)"
+std::string radius_text(const LarArguments& arguments, double radius) {
+  const std::string from = arguments.radius.value_or("drawing");
+  return fmt::format("radius {}{}", shortest_text(radius),
+                     is_preset(from) ? " (" + from + ")" : std::string());
+}
+
+void print(const LarArguments& arguments, const inters::Trace& trace) {
+  fmt::print("variant      published: {} decimals, {}\n", trace.options.decimals,
+             radius_text(arguments, trace.options.radius));
   fmt::print("lines        {}, {}\n", plural(trace.lines.size(), "segment"),
              plural(trace.intersection_points.size(), "intersection point"));
   fmt::print("lar          {} vertices, {} edges, {} clusters merged\n", trace.lar.vertices.size(),
@@ -48,7 +63,7 @@ void print(const inters::Trace& trace) {
   }
 }
 
-void print(const lar::Result& result) {
+void print(const LarArguments& arguments, const lar::Result& result) {
   const lar::Trace& trace = result.trace;
   const lar::Graph& graph = trace.rounds.back().simplified;
   std::size_t clusters = 0, cuts = 0;
@@ -56,7 +71,7 @@ void print(const lar::Result& result) {
     clusters += round.pruning.clusters.size();
     cuts += round.cuts.flat().size();
   }
-  fmt::print("variant      repaired: radius {}\n", shortest_text(trace.radius));
+  fmt::print("variant      repaired: {}\n", radius_text(arguments, trace.radius));
   fmt::print("lines        {} distinct segments, {}, {}{}\n", trace.drawing.edges.size(),
              plural(cuts, "cut"), plural(trace.rounds.size(), "round"),
              trace.settled ? "" : ", not settled");
@@ -82,7 +97,7 @@ void write_outputs(const LarArguments& arguments, const SegmentSet& input, const
   LarPicture picture = arguments.picture;
   picture.y_up = arguments.unit_square != input.y_up;  // the map to the unit square turns y
   if (arguments.output) write_file(*arguments.output, to_svg(result, picture));
-  print(result);
+  print(arguments, result);
   for (const auto& file : {arguments.trace, arguments.output}) {
     if (file) print_written(*file);
   }
@@ -91,7 +106,7 @@ void write_outputs(const LarArguments& arguments, const SegmentSet& input, const
 ExitCode run_published(const LarArguments& arguments, const SegmentSet& input) {
   inters::Options options;
   options.decimals = arguments.decimals.value_or(inters::kDecimals);
-  options.radius = arguments.radius.value_or(inters::kRadius);
+  options.radius = radius_of(arguments, input).value_or(inters::kRadius);
   options.threads = arguments.threads;
   const inters::Trace trace = [&] {
     const Progress progress("running the published float LAR pipeline");
@@ -113,7 +128,7 @@ ExitCode run_repaired(const LarArguments& arguments, const SegmentSet& input) {
   const lar::Result result = [&] {
     const Progress progress("running the float LAR pipeline");
     return lar::arrange(arguments.unit_square ? lar::to_unit_square(input) : input,
-                        {arguments.radius, arguments.threads});
+                        {radius_of(arguments, input), arguments.threads});
   }();
   write_outputs(arguments, input, result);
   return kAgree;
@@ -130,8 +145,9 @@ ExitCode run(const LarArguments& arguments) {
     const Progress progress("reading " + arguments.file);
     return evaluate(read(arguments.file, arguments.reading), limits_of(arguments));
   }();
-  fmt::print("drawing      {}: {} segments, {} rejected\n{}", line_text(arguments.file),
-             input.segments.size(), input.rejected.size(), rejected_lines(input));
+  ensure_all_drawn(arguments, input);
+  fmt::print("drawing      {}: {}\n{}", line_text(arguments.file), input_line(input),
+             rejected_lines(input));
   return arguments.is_published ? run_published(arguments, input) : run_repaired(arguments, input);
 }
 

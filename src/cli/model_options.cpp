@@ -1,8 +1,10 @@
 // The commands lar, eval and random.
 
+#include <cmath>
 #include <map>
 
 #include "cli/options.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -35,10 +37,17 @@ CLI::App* add_command(CLI::App& app, LarArguments& arguments) {
       ->check(integer(0))
       ->type_name("N");
   command
-      ->add_option("--radius", arguments.radius,
-                   "Vertices no further apart than this are merged [default: published 0.001, "
-                   "repaired 0.001 x the drawing's longer side]")
-      ->check(finite())
+      ->add_option_function<std::string>(
+          "--radius",
+          [&](const std::string& text) {
+            if (!is_preset(text) && !std::isfinite(nearest_double(parse_decimal(text)))) {
+              throw Error(ErrorCode::BadInput, "the radius is not finite", {}, text);
+            }
+            arguments.radius = text;
+          },
+          "Vertices no further apart than this are merged: a number in drawing units; "
+          "larlib, 0.001 x the longer side; plasm, 1e-8; drawing, the default [default: "
+          "published 0.001, repaired 0.001 x the drawing's longer side]")
       ->type_name("R");
   command->add_flag("--unit-square", arguments.unit_square,
                     "Map the drawing to the unit square first, y upwards, as published for SVG");

@@ -4,9 +4,35 @@
 
 #include <map>
 #include <utility>
+
 #include "plumbline/error.hpp"
 
 namespace plumbline::cli {
+
+namespace {
+
+/// The items by element and reason, with the first lines.
+template <class Item>
+std::string group_lines(const std::vector<Item>& items, std::string Item::*reason,
+                        const char* word) {
+  constexpr std::size_t kShownLines = 8;
+  std::map<std::pair<std::string, std::string>, std::vector<std::uint32_t>> groups;
+  for (const Item& item : items) {
+    groups[{item.source.element, item.*reason}].push_back(item.source.line);
+  }
+  std::string text;
+  for (const auto& [what, lines] : groups) {
+    text += fmt::format("  {}{} x {}: {}; line", word, lines.size(), line_text(what.first),
+                        line_text(what.second));
+    for (std::size_t i = 0; i < std::min(lines.size(), kShownLines); ++i) {
+      text += fmt::format(" {}", lines[i]);
+    }
+    text += lines.size() > kShownLines ? " ...\n" : "\n";
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string counts_line(const Incidences& complex, std::size_t vertices) {
   const Counts c = counts(complex, vertices);
@@ -15,22 +41,17 @@ std::string counts_line(const Incidences& complex, std::size_t vertices) {
       c.vertices, c.edges, c.antennas, c.faces, c.holes, c.components, c.depth);
 }
 
+std::string input_line(const SegmentSet& input) {
+  std::string text =
+      fmt::format("{} segments, {} rejected", input.segments.size(), input.rejected.size());
+  if (input.remarks.empty()) return text;
+  return text +
+         fmt::format(", {} remark{}", input.remarks.size(), input.remarks.size() == 1 ? "" : "s");
+}
+
 std::string rejected_lines(const SegmentSet& input) {
-  constexpr std::size_t kShownLines = 8;
-  std::map<std::pair<std::string, std::string>, std::vector<std::uint32_t>> groups;
-  for (const Rejected& item : input.rejected) {
-    groups[{item.source.element, item.reason}].push_back(item.source.line);
-  }
-  std::string text;
-  for (const auto& [what, lines] : groups) {
-    text += fmt::format("  {} x {}: {}; line", lines.size(), line_text(what.first),
-                        line_text(what.second));
-    for (std::size_t i = 0; i < std::min(lines.size(), kShownLines); ++i) {
-      text += fmt::format(" {}", lines[i]);
-    }
-    text += lines.size() > kShownLines ? " ...\n" : "\n";
-  }
-  return text;
+  std::string text = group_lines(input.rejected, &Rejected::reason, "");
+  return text + group_lines(input.remarks, &Remark::what, "remark: ");
 }
 
 std::string exactness_line(const SegmentSet& input) {

@@ -8,7 +8,10 @@ namespace plumbline::cli {
 
 /// "12 vertices, 13 edges (0 antennas), ...": one line on the complex.
 std::string counts_line(const Incidences& complex, std::size_t vertices);
-/// What was refused, grouped by element and reason, with the first lines; "" if nothing was.
+/// "12 segments, 3 rejected, 1 remark".
+std::string input_line(const SegmentSet& input);
+/// What was refused and remarked, grouped by element and reason, with the first lines; "" if
+/// nothing was.
 std::string rejected_lines(const SegmentSet& input);
 /// Whether every coordinate is what the file says, or what was replaced.
 std::string exactness_line(const SegmentSet& input);

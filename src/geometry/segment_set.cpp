@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -25,8 +26,16 @@ std::string to_text(const PointD& p) { return shortest_text(p.x) + " " + shortes
 
 }  // namespace
 
-Rejected make_rejected(Source source, std::string reason, std::string text) {
-  return {std::move(source), std::move(reason), shown_text(std::move(text))};
+Rejected make_rejected(Source source, std::string reason, std::string text, bool harmless) {
+  return {std::move(source), std::move(reason), shown_text(std::move(text)), harmless};
+}
+
+Remark make_remark(Source source, std::string what, std::string text) {
+  return {std::move(source), std::move(what), shown_text(std::move(text))};
+}
+
+std::size_t count_lost(const std::vector<Rejected>& rejected) {
+  return static_cast<std::size_t>(std::ranges::count(rejected, false, &Rejected::harmless));
 }
 
 bool is_within_limit(const Point& p) { return is_below_limit(p.x) && is_below_limit(p.y); }
@@ -51,14 +60,15 @@ void SegmentSet::add(Segment segment, SourceId source) {
 }
 
 void SegmentSet::add(NumberPoint a, NumberPoint b, SourceId source) {
-  const auto reject = [&](const char* reason) {
-    rejected.push_back(make_rejected(sources.at(source), reason, to_text(a) + ", " + to_text(b)));
+  const auto reject = [&](const char* reason, bool harmless) {
+    rejected.push_back(
+        make_rejected(sources.at(source), reason, to_text(a) + ", " + to_text(b), harmless));
   };
   if (a == b) {
-    reject("zero-length segment");
+    reject("zero-length segment", true);
   } else if (!is_within_limit(a.x) || !is_within_limit(a.y) || !is_within_limit(b.x) ||
              !is_within_limit(b.y)) {
-    reject(kBeyondLimit);
+    reject(kBeyondLimit, false);
   } else {
     segments.push_back(std::move(a), std::move(b));
     segment_source.push_back(source);

@@ -56,6 +56,25 @@ Engine inters_with_svg2lines(const Drawing& drawing) {
   return inters::engine({{}, text_of(drawing.file)});
 }
 
+std::optional<double> preset_radius(std::string_view preset, const SegmentSet& input) {
+  constexpr double kOfPlasm = 1e-8;
+  if (preset == "drawing") return std::nullopt;
+  if (preset == "plasm") return kOfPlasm;
+  std::optional<PointD> low, high;
+  const auto include = [&](const NumberPoint& point) {
+    const PointD p = nearest(point);
+    low = low ? PointD{std::min(low->x, p.x), std::min(low->y, p.y)} : p;
+    high = high ? PointD{std::max(high->x, p.x), std::max(high->y, p.y)} : p;
+  };
+  for (std::size_t s = 0; s < input.segments.size(); ++s) {
+    const auto n = input.segments.numbers(s);
+    include({n[0], n[1]});
+    include({n[2], n[3]});
+  }
+  if (!low) return 0;
+  return lar::kDefaultRelativeRadius * std::max(high->x - low->x, high->y - low->y);
+}
+
 Check checked(Drawing drawing, Answer answer, std::optional<double> tolerance, std::size_t threads,
               std::function<void(const std::string&)> begins) {
   CheckOptions options{tolerance, {}, threads, std::move(begins)};

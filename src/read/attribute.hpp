@@ -13,7 +13,8 @@ namespace plumbline {
 /// Thrown inside the readers: an item of the drawing can't be used. Becomes a Rejected item.
 struct Unusable {
   std::string reason;
-  std::string text;  ///< the offending text
+  std::string text;       ///< the offending text
+  bool harmless = false;  ///< as that of Rejected
 };
 
 class Scanner;

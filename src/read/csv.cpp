@@ -122,7 +122,7 @@ class CsvReader {
       if (!columns_.numbers) add_geometry(id);
       table_.name_feature(id);
     } catch (const Unusable& problem) {
-      table_.refuse(kRowElement, place_, problem.reason, problem.text, id);
+      table_.refuse(kRowElement, place_, problem, id);
     }
   }
 
@@ -155,7 +155,7 @@ class CsvReader {
   }
 
   void add_geometry(std::string_view id) {
-    if (text_of(*columns_.geometry).empty()) throw Unusable{"has no geometry", {}};
+    if (text_of(*columns_.geometry).empty()) throw Unusable{"has no geometry", {}, true};
     const CsvField& field = records_.fields()[*columns_.geometry];
     ByteStream text(field.text, place_of(field));
     try {
@@ -169,7 +169,7 @@ class CsvReader {
       if (!text.at_end()) text.fail("text behind the geometry");
     } catch (const Error& error) {
       if (error.code() != ErrorCode::BadInput) throw;
-      table_.refuse(kRowElement, error.place(), error.message(), error.offending_text(), id);
+      table_.refuse(kRowElement, error.place(), {error.message(), error.offending_text()}, id);
     }
   }
 

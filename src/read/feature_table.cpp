@@ -98,7 +98,7 @@ bool FeatureTable::is_kept(std::string_view element, const Place& place, const P
   for (const NumberPoint& p : lines.points) {
     const PointD q = nearest(p);
     if (std::isfinite(q.x) && std::isfinite(q.y)) continue;
-    refuse(element, place, "a coordinate is beyond the largest double", {});
+    refuse(element, place, {"a coordinate is beyond the largest double", {}});
     return false;
   }
   return true;
@@ -125,7 +125,7 @@ void FeatureTable::keep_polygons(const Polylines& rings) {
 
 void FeatureTable::add_lines(std::string_view element, const Place& place, const Polylines& lines) {
   if (geometries_ != nullptr) {
-    if (lines.points.empty()) refuse(element, place, "has no points", {});
+    if (lines.points.empty()) refuse(element, place, {"has no points", {}, true});
     if (is_kept(element, place, lines)) keep_lines(lines);
     return;
   }
@@ -156,9 +156,9 @@ void FeatureTable::add_parts(std::string_view element, const Place& place, const
     add_row(model, place, model.segments.size() - before);
   }
   if (single_points > 0) {
-    refuse(element, place, "line of a single point", count_of(single_points, "line"));
+    refuse(element, place, {"line of a single point", count_of(single_points, "line"), true});
   }
-  if (lines.points.empty()) refuse(element, place, "has no points", {});
+  if (lines.points.empty()) refuse(element, place, {"has no points", {}, true});
 }
 
 void FeatureTable::add_rings(std::string_view element, const Place& place, const Polylines& rings) {
@@ -170,7 +170,7 @@ void FeatureTable::add_rings(std::string_view element, const Place& place, const
   }
   const bool are_faces = geometries_ != nullptr && !rings.polygon_ends.empty();
   if (open_rings > 0) {
-    refuse(element, place,
+    remark(element, place,
            are_faces ? "ring is not closed; it is taken as closed"
                      : "ring is not closed; it is drawn as it is",
            count_of(open_rings, "ring"));
@@ -195,14 +195,19 @@ void FeatureTable::add_segment(std::string_view element, const Place& place, Num
 }
 
 void FeatureTable::refuse_points(std::string_view element, const Place& place, std::size_t count) {
-  refuse(element, place, "isolated points are not drawn", count_of(count, "point"));
+  refuse(element, place, {"isolated points are not drawn", count_of(count, "point"), true});
 }
 
-void FeatureTable::refuse(std::string_view element, const Place& place, const std::string& reason,
-                          const std::string& text, std::string_view id) {
+void FeatureTable::refuse(std::string_view element, const Place& place, const Unusable& problem,
+                          std::string_view id) {
   Source source = source_of(element, place);
   source.id = line_of(id);
-  rejections_.add(source, reason, text);
+  rejections_.add(source, problem.reason, problem.text, problem.harmless);
+}
+
+void FeatureTable::remark(std::string_view element, const Place& place, const std::string& what,
+                          const std::string& text) {
+  remarks_.add(source_of(element, place), what, text);
 }
 
 void FeatureTable::note_other_coordinates(std::string_view element, const Place& place) {
@@ -213,7 +218,7 @@ void FeatureTable::note_crs(std::string_view element, const Place& place, std::s
   const std::string crs = line_of(name);
   if (crs_.empty()) crs_ = crs;
   if (crs == crs_) return;
-  refuse(element, place, "another reference system than " + crs_ + "; it is drawn as it is", crs);
+  remark(element, place, "another reference system than " + crs_ + "; it is drawn as it is", crs);
 }
 
 void FeatureTable::note_srid(std::string_view element, const Place& place,
@@ -230,10 +235,14 @@ Structure FeatureTable::finish() && {
   structure.root = StructId(0);
   structure.structs.resize(1);
   if (with_other_coordinates_ > 0) {
-    rejections_.add(first_with_other_coordinates_, "coordinates beyond x and y are not used",
-                    count_of(with_other_coordinates_, "element") + " from here on");
+    remarks_.add(first_with_other_coordinates_, "coordinates beyond x and y are not used",
+                 count_of(with_other_coordinates_, "element") + " from here on");
   }
   structure.rejected = std::move(rejections_).finish();
+  for (Rejected& item : std::move(remarks_).finish()) {
+    structure.remarks.push_back(
+        {std::move(item.source), std::move(item.reason), std::move(item.text)});
+  }
   numbers_.add_to(structure.ledger);
   auto& body = structure.structs[0].body;
   body.reserve(full_.size() + open_.size() +

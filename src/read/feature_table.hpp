@@ -54,8 +54,11 @@ class FeatureTable {
   void add_segment(std::string_view element, const Place& place, NumberPoint a, NumberPoint b);
   /// Lists isolated points, which no reader draws.
   void refuse_points(std::string_view element, const Place& place, std::size_t count);
-  void refuse(std::string_view element, const Place& place, const std::string& reason,
-              const std::string& text, std::string_view id = {});
+  void refuse(std::string_view element, const Place& place, const Unusable& problem,
+              std::string_view id = {});
+  /// Says something of an element that is drawn.
+  void remark(std::string_view element, const Place& place, const std::string& what,
+              const std::string& text);
   /// Counts an element with coordinates other than x and y, which are not used.
   void note_other_coordinates(std::string_view element, const Place& place);
 
@@ -106,7 +109,7 @@ class FeatureTable {
   std::vector<Part> parts_;     ///< those of them that are drawn
   std::vector<Model> full_;
   std::vector<LarModel> models_;
-  Rejections rejections_;
+  Rejections rejections_, remarks_;
   Source first_with_other_coordinates_;
   std::uint64_t with_other_coordinates_ = 0;
 };

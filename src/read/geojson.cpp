@@ -276,8 +276,8 @@ class GeoJsonReader {
     try {
       draw(level);
     } catch (const Unusable& problem) {
-      table_.refuse(level.type == nullptr ? "object" : level.type->name, level.place,
-                    problem.reason, problem.text, id());
+      table_.refuse(level.type == nullptr ? "object" : level.type->name, level.place, problem,
+                    id());
     }
     if (level.slot == Slot::Geometry) return;
     if (level.type == nullptr || level.type->content != kFeatures) table_.name_feature(id());
@@ -298,19 +298,23 @@ class GeoJsonReader {
 
   /// Draws the geometry of the object that has been read. What it contains has been drawn.
   void draw(const Level& level) {
-    if (level.type == nullptr || !fits(*level.type, level.slot)) {
-      const bool is_drawn = (level.members & (kGeometry | kGeometries)) != 0;
-      const std::string type = level.type == nullptr ? unknown_type_ : level.type->name;
-      throw Unusable{std::string("no ") + (level.slot == Slot::Geometry ? "geometry" : "Feature") +
-                         " by its type" + (is_drawn ? "; what it contains is drawn" : ""),
-                     type};
-    }
+    if (level.type == nullptr || !fits(*level.type, level.slot)) return refuse_type(level);
     if ((level.members & level.type->content) == 0) {
       throw Unusable{"no member " + name_of(level.type->content), {}};
     }
     if (level.type->content != kCoordinates) return;
     coordinates_.check(level.type->depth);
     draw_coordinates(*level.type, feature_place_.line == 0 ? level.place : feature_place_);
+  }
+
+  void refuse_type(const Level& level) {
+    const std::string type = level.type == nullptr ? unknown_type_ : level.type->name;
+    const std::string problem = std::string("no ") +
+                                (level.slot == Slot::Geometry ? "geometry" : "Feature") +
+                                " by its type";
+    if ((level.members & (kGeometry | kGeometries)) == 0) throw Unusable{problem, type};
+    table_.remark(level.type == nullptr ? "object" : level.type->name, level.place,
+                  problem + "; what it contains is drawn", type);
   }
 
   void draw_coordinates(const GeoJsonType& type, const Place& place) {
@@ -326,14 +330,15 @@ class GeoJsonReader {
   }
 
   void refuse_element(Slot slot, std::string_view text) {
-    table_.refuse(slot == Slot::Feature ? "Feature" : "geometry", bytes_.place(), "not an object",
-                  std::string(text.substr(0, 100)));
+    table_.refuse(slot == Slot::Feature ? "Feature" : "geometry", bytes_.place(),
+                  {"not an object", std::string(text.substr(0, 100))});
   }
 
   void refuse_geometry(JsonScalar kind, std::string_view text) {
+    const bool is_null = kind == JsonScalar::Null;
     table_.refuse("Feature", levels_.back().place,
-                  kind == JsonScalar::Null ? "has no geometry" : "its geometry is not an object",
-                  std::string(text.substr(0, 100)));
+                  {is_null ? "has no geometry" : "its geometry is not an object",
+                   std::string(text.substr(0, 100)), is_null});
   }
 
   ByteStream& bytes_;

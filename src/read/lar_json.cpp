@@ -8,6 +8,7 @@
 #include "read/feature_table.hpp"
 #include "read/json_events.hpp"
 #include "read/lar_cells.hpp"
+#include "read/line_list.hpp"
 #include "read/streams.hpp"
 
 namespace plumbline {
@@ -25,8 +26,8 @@ Section section_of(std::string_view key) {
 
 class LarJsonReader {
  public:
-  LarJsonReader(ByteStream& bytes, const FeatureOptions& options)
-      : bytes_(bytes), table_(bytes.file(), options) {}
+  LarJsonReader(ByteStream& bytes, const FeatureOptions& options, bool is_line_list)
+      : bytes_(bytes), table_(bytes.file(), options), is_line_list_(is_line_list) {}
 
   Structure read() && {
     parse_json(bytes_, *this);
@@ -86,8 +87,8 @@ class LarJsonReader {
 
   void open_array() {
     if (ignored_ > 0) return ignore();
-    if (depth_ == 0) is_list_ = true;
-    if (depth_ == 1 && is_list_) begin_list();
+    if (depth_ == 0) begin_document();
+    if (depth_ == 1 && is_list_ && !is_line_list_) begin_list();
     if (depth_ == 1 && section_ == Section::Other) return ignore();
     if (depth_ == 1 && section_ == Section::IndexBase) fail("index_base is a list");
     ++depth_;
@@ -125,7 +126,16 @@ class LarJsonReader {
 
   void ignore() {
     if (ignored_++ > 0) return;
-    table_.refuse(name_, bytes_.place(), "this member of a LAR model is not understood", {});
+    table_.refuse(name_, bytes_.place(),
+                  {"this member of a LAR model is not understood", {}, true});
+  }
+
+  /// A bare list of lines stands as deep as that of a member "lines".
+  void begin_document() {
+    is_list_ = true;
+    if (!is_line_list_) return;
+    section_ = Section::Lines;
+    depth_ = 1;
   }
 
   /// The next of the lists V, EV or V, FV, EV.
@@ -262,8 +272,9 @@ class LarJsonReader {
   FeatureTable table_;
   Numbers& numbers_ = table_.numbers();
   Section section_ = Section::Other;
-  std::string name_;      ///< of the member
-  unsigned seen_ = 0;     ///< sections, as bits
+  std::string name_;   ///< of the member
+  unsigned seen_ = 0;  ///< sections, as bits
+  const bool is_line_list_;
   bool is_list_ = false;  ///< [V, EV] rather than {"V": ...}
   std::size_t lists_ = 0;
   std::size_t depth_ = 0;
@@ -280,13 +291,20 @@ class LarJsonReader {
 }  // namespace
 
 Structure read_lar_json(ByteStream& bytes, const FeatureOptions& options) {
-  return LarJsonReader(bytes, options).read();
+  return LarJsonReader(bytes, options, false).read();
+}
+
+Structure read_line_list(ByteStream& bytes, const FeatureOptions& options) {
+  return LarJsonReader(bytes, options, true).read();
 }
 
 Structure read_lar_json(std::string_view text, const std::string& file_name,
                         const ReadOptions& options) {
-  ByteStream bytes(text, {file_name, 1, 1});
-  return read_lar_json(bytes, feature_options(options));
+  const Place start{file_name, 1, 1};
+  ByteStream beginning(text, start), bytes(text, start);
+  const auto read =
+      is_line_list(beginning) ? read_line_list : static_cast<FeatureReader>(read_lar_json);
+  return read(bytes, feature_options(options));
 }
 
 }  // namespace plumbline

@@ -6,6 +6,7 @@
 #include "read/gzip.hpp"
 #include "read/input_file.hpp"
 #include "read/json_kind.hpp"
+#include "read/line_list.hpp"
 #include "read/streams.hpp"
 
 namespace plumbline {
@@ -31,8 +32,6 @@ std::string content(const fs::path& file) {
   return text;
 }
 
-using FeatureReader = Structure (*)(ByteStream&, const FeatureOptions&);
-
 Structure read_streamed(const fs::path& file, const ReadOptions& options, FeatureReader reader) {
   checked_size(file, kMaxStreamedFileSize);
   ByteStream bytes(file);
@@ -45,8 +44,12 @@ Structure read_json(const fs::path& file, const ReadOptions& options) {
   switch (json_kind(beginning)) {
     case JsonKind::GeoJson:
       return read_streamed(file, options, read_geojson);
-    case JsonKind::Lar:
-      return read_streamed(file, options, read_lar_json);
+    case JsonKind::Lar: {
+      ByteStream list(file);
+      return read_streamed(
+          file, options,
+          is_line_list(list) ? read_line_list : static_cast<FeatureReader>(read_lar_json));
+    }
     case JsonKind::Struct: {
       ByteStream bytes(file);
       return read_struct_json(bytes, options);

@@ -16,7 +16,8 @@ class Rejections {
  public:
   static constexpr std::size_t kListed = 10'000;
 
-  void add(const Source& source, const std::string& reason, const std::string& text);
+  void add(const Source& source, const std::string& reason, const std::string& text,
+           bool harmless = false);
   std::vector<Rejected> finish() &&;
 
  private:
@@ -25,6 +26,7 @@ class Rejections {
   struct Unlisted {
     Source first;
     std::uint64_t count = 0;
+    bool harmless = true;
   };
 
   std::vector<Rejected> listed_;

@@ -17,6 +17,11 @@ Structure read_wkt(ByteStream& bytes, const FeatureOptions& options = {});
 Structure read_wkb(ByteStream& bytes, const FeatureOptions& options = {});
 Structure read_csv(ByteStream& bytes, const FeatureOptions& options = {});
 Structure read_lar_json(ByteStream& bytes, const FeatureOptions& options = {});
+/// A bare list of segments; other lists are LAR models (`is_line_list`).
+Structure read_line_list(ByteStream& bytes, const FeatureOptions& options = {});
 Structure read_struct_json(ByteStream& bytes, const ReadOptions& options);
+
+/// One of them that gives lines and polygons.
+using FeatureReader = Structure (*)(ByteStream&, const FeatureOptions&);
 
 }  // namespace plumbline

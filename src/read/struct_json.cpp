@@ -22,8 +22,8 @@ class StructJsonReader {
     structure_.y_up = true;
     const JsonValue root = tree_.root();
     expect(root, JsonType::Object, "an object");
-    expect_members(root,
-                   {"root", "defs", "description", "files", "rejected", "ledger", "y_up", "crs"});
+    expect_members(root, {"root", "defs", "description", "files", "rejected", "remarks", "ledger",
+                          "y_up", "crs"});
     if (const JsonValue y_up = root.find("y_up")) {
       expect(y_up, JsonType::Bool, "true or false");
       structure_.y_up = y_up.text() == "true";
@@ -44,19 +44,30 @@ class StructJsonReader {
       const auto [def, id] = waiting_[i];
       define(def, id);
     }
-    for_each(root.find("rejected"), {"reason", "text"}, [this](const JsonValue& item) {
-      structure_.rejected.push_back(
-          {source_of(item, "", structure_.files), member(item, "reason"), member(item, "text")});
-    });
-    for_each(root.find("ledger"), {"what", "bound"}, [this](const JsonValue& item) {
-      structure_.ledger.push_back(
-          {source_of(item, "", structure_.files), member(item, "what"), member(item, "bound")});
-    });
+    read_losses(root);
     numbers_.add_to(structure_.ledger);
     return std::move(structure_);
   }
 
  private:
+  void read_losses(const JsonValue& root) {
+    const auto source = [this](const JsonValue& item) {
+      return source_of(item, "", structure_.files);
+    };
+    for_each(root.find("rejected"), {"reason", "text", "harmless"}, [&](const JsonValue& item) {
+      const JsonValue harmless = item.find("harmless");
+      if (harmless) expect(harmless, JsonType::Bool, "true or false");
+      structure_.rejected.push_back({source(item), member(item, "reason"), member(item, "text"),
+                                     harmless && harmless.text() == "true"});
+    });
+    for_each(root.find("remarks"), {"what", "text"}, [&](const JsonValue& item) {
+      structure_.remarks.push_back({source(item), member(item, "what"), member(item, "text")});
+    });
+    for_each(root.find("ledger"), {"what", "bound"}, [&](const JsonValue& item) {
+      structure_.ledger.push_back({source(item), member(item, "what"), member(item, "bound")});
+    });
+  }
+
   StructId new_struct() {
     structure_.structs.emplace_back();
     return StructId(structure_.structs.size() - 1);

@@ -228,7 +228,7 @@ class WkbReader {
   void draw(std::uint32_t kind) {
     const char* const name = name_of_kind(kind);
     if (!is_finite_) {
-      table_.refuse(name, place_, "coordinate is not a finite number", {});
+      table_.refuse(name, place_, {"coordinate is not a finite number", {}});
       return;
     }
     if (has_other_coordinates_) table_.note_other_coordinates(name, place_);

@@ -143,7 +143,7 @@ class WktReader {
     }
     take_dimensions();
     if (!is_curved) return *known;
-    table_.refuse(word, here, "curved geometry is not understood yet", {});
+    table_.refuse(word, here, {"curved geometry is not understood yet", {}});
     pass_over();
     return std::nullopt;
   }
@@ -259,7 +259,7 @@ class WktReader {
 
   void draw(const WktType& type) {
     if (!problem_.reason.empty()) {
-      table_.refuse(type.element, place_, problem_.reason, problem_.text);
+      table_.refuse(type.element, place_, problem_);
       return;
     }
     if (most_numbers_ > 2) table_.note_other_coordinates(type.element, place_);

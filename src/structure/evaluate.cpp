@@ -28,6 +28,7 @@ class Evaluation {
         segments_(options.max_segments, "segments") {
     result_.files = structure.files;
     result_.rejected = structure.rejected;
+    result_.remarks = structure.remarks;
     result_.ledger = structure.ledger;
     result_.crs = structure.crs;
     result_.y_up = structure.y_up;

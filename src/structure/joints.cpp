@@ -267,10 +267,10 @@ Joints find_joints(const PlacedCurves& placed) {
   for (const std::size_t i : tied) {
     if (ends[i].place) continue;
     const std::size_t chord = in.curves[ends[i].curve].first;
-    result.refused.push_back(make_rejected(placed.set.sources[placed.set.segment_source[chord]],
-                                           "two places are equally near the end of a curve, "
-                                           "which meets neither",
-                                           to_text(ends[i].at)));
+    result.remarks.push_back(make_remark(placed.set.sources[placed.set.segment_source[chord]],
+                                         "two places are equally near the end of a curve, "
+                                         "which meets neither",
+                                         to_text(ends[i].at)));
   }
   append(result, moved_ends(ends, in), "ends of curves by what they meet", placed.set);
   for (const End& end : ends) points.push_back({end.settled(), end.bound, end.curve});
@@ -285,7 +285,7 @@ Joints find_joints(const PlacedCurves& placed) {
 }
 
 SegmentSet with_joints(SegmentSet set, const Joints& joints) {
-  if (joints.joints.empty() && joints.refused.empty()) return set;
+  if (joints.joints.empty() && joints.remarks.empty()) return set;
   SegmentList segments;
   std::vector<SourceId> sources;
   std::vector<double> rounding;
@@ -317,7 +317,7 @@ SegmentSet with_joints(SegmentSet set, const Joints& joints) {
   set.segment_source = std::move(sources);
   set.rounding = std::move(rounding);
   set.ledger.insert(set.ledger.end(), joints.ledger.begin(), joints.ledger.end());
-  set.rejected.insert(set.rejected.end(), joints.refused.begin(), joints.refused.end());
+  set.remarks.insert(set.remarks.end(), joints.remarks.begin(), joints.remarks.end());
   return set;
 }
 

@@ -29,7 +29,7 @@ struct Joint {
 struct Joints {
   std::vector<Joint> joints;  ///< by chord, along it
   std::vector<Replacement> ledger;
-  std::vector<Rejected> refused;
+  std::vector<Remark> remarks;
 };
 
 /// Curves are not known better than their bounds say: an end takes the place of an authored end

@@ -24,4 +24,8 @@ export function showInputs({ report }: Drawing, place: HTMLElement): void {
     const text = item.text ? ` “${item.text}”` : "";
     return `${describeSource(item, report.files)}: ${item.reason}${text}`;
   }));
+  list(plural(report.remarks.length, "remark"), report.remarks.map((item) => {
+    const text = item.text ? ` “${item.text}”` : "";
+    return `${describeSource(item, report.files)}: ${item.what}${text}`;
+  }));
 }

@@ -100,10 +100,13 @@ export interface Report {
   verdict: "agree" | "disagree";
   engine: { name: string; version: string; title: string };
   drift: { places: number; largest: number; findings: number };
-  compared: "all" | "graph";
+  compared: "all" | "graph" | "faces" | "some faces";
+  left_out: { edges: number; vertices: number };
+  lost: number;
   float_valid: boolean;
   exact: boolean;
   radius: number | null;
+  radius_from: "larlib" | "plasm" | "drawing" | "number" | null;
   tolerance: number;
   largest_displacement: number;
   counts: Record<ComplexName | "exact", Counts>;
@@ -116,6 +119,7 @@ export interface Report {
   tried_radii: { radius: number; right: boolean }[];
   files: string[];
   rejected: (SourceKind & { line: number; column: number; id: string; reason: string; text: string })[];
+  remarks: (SourceKind & { line: number; column: number; id: string; what: string; text: string })[];
   ledger: (SourceKind & { line: number; column: number; id: string; what: string; bound: string })[];
   page: {
     y_up: boolean;

@@ -16,6 +16,10 @@ const rows: [CountName, string][] = [
   ["isolated_vertices", "isolated vertices"],
 ];
 
+const originOfRadius = {
+  larlib: " (larlib: 0.001 on the unit square)", plasm: " (plasm: 1e-8)", drawing: " (the engine's default)", number: "",
+};
+
 export function showHead(
   report: Report, title: HTMLElement, verdict: HTMLElement, facts: HTMLElement, advice: HTMLElement,
 ): void {
@@ -27,10 +31,14 @@ export function showHead(
   if (agrees) verdict.textContent = "Agree";
   else if (own === report.findings.length) verdict.textContent = `Agree but for the file's own drift: ${findings}`;
   else verdict.textContent = `Disagree: ${findings}${own > 0 ? `, ${own} of them the file's own drift` : ""}`;
-  verdict.className = agrees ? "agree" : "disagree";
+  if (report.lost > 0) verdict.textContent += `; not all was read: ${report.lost} rejected look like geometry`;
+  verdict.className = agrees && report.lost === 0 ? "agree" : "disagree";
   const parts = [answerTitle(report)];
   if (report.compared === "graph") parts.push("vertices and edges alone are compared: the result has no faces");
-  if (report.radius !== null) parts.push(`radius ${number(report.radius)}`);
+  if (report.compared === "faces" && report.left_out.edges > 0)
+    parts.push(`the result has polygons alone: ${plural(report.left_out.edges, "edge")} with the same face on both sides not compared`);
+  if (report.compared === "some faces") parts.push("each face of the result is compared, and nothing else");
+  if (report.radius !== null) parts.push(`radius ${number(report.radius)}${originOfRadius[report.radius_from ?? "number"]}`);
   if (report.tolerance !== report.radius) parts.push(`tolerance ${number(report.tolerance)}`);
   facts.textContent = parts.join(" · ");
   advice.textContent = radiusAdvice(report);

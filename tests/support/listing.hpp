@@ -23,7 +23,26 @@ inline std::string rejected_of(const SegmentSet& set) {
   return text;
 }
 
-/// Each segment with its source, then what was rejected, then the ledger.
+/// What was remarked, in the same way.
+inline std::string remarks_of(const SegmentSet& set) {
+  std::string text;
+  for (const Remark& item : set.remarks) {
+    text += to_text(item.source, set.files) + ": " + item.what;
+    text += item.text.empty() ? "\n" : ": " + item.text + "\n";
+  }
+  return text;
+}
+
+/// Of what was rejected the elements that looked like geometry: "MLINE RAY ".
+inline std::string lost_of(const SegmentSet& set) {
+  std::string text;
+  for (const Rejected& item : set.rejected) {
+    if (!item.harmless) text += item.source.element + " ";
+  }
+  return text;
+}
+
+/// Each segment with its source, then what was rejected, the remarks, the ledger.
 inline std::string listing(const Structure& structure) {
   const SegmentSet set = evaluate(structure);
   std::string text;
@@ -33,6 +52,8 @@ inline std::string listing(const Structure& structure) {
   }
   const std::string rejected = rejected_of(set);
   if (!rejected.empty()) text += "rejected:\n" + rejected;
+  const std::string remarks = remarks_of(set);
+  if (!remarks.empty()) text += "remarks:\n" + remarks;
   for (const Replacement& entry : set.ledger) {
     text += "replaced: " + to_text(entry.source, set.files) + ": " + entry.what + " by " +
             entry.bound + "\n";

@@ -66,7 +66,9 @@ void check_command(const cli::InfoArguments& arguments) {
 }
 void check_command(const cli::LarArguments& arguments) {
   check_input(arguments);
-  check_number(arguments.radius.value_or(0));
+  if (arguments.radius && !cli::is_preset(*arguments.radius)) {
+    check_number(nearest_double(parse_decimal(*arguments.radius)));
+  }
   check_number(arguments.picture.explode);
 }
 void check_command(const cli::EvalArguments& arguments) { check_input(arguments); }

@@ -30,6 +30,7 @@ double length(const SegmentSet& set) {
 std::string reasons(const SegmentSet& set) {
   std::map<std::string, std::size_t> counts;
   for (const Rejected& item : set.rejected) ++counts[item.source.element + ": " + item.reason];
+  for (const Remark& item : set.remarks) ++counts[item.source.element + ": " + item.what];
   std::string text;
   for (const auto& [reason, count] : counts) {
     text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", quoted(reason), count);

@@ -1,6 +1,6 @@
 // What a drawing becomes, one item a line, for comparison with other readers.
 // Usage: plumbline_segments DRAWING TOLERANCE. Prints "segment ELEMENT LINE ax ay bx by" in
-// doubles and "rejected ELEMENT LINE reason".
+// doubles and "rejected ELEMENT LINE reason", which remarks are, too.
 
 #include <iostream>
 
@@ -26,6 +26,10 @@ int main(int argc, char** argv) try {
   }
   for (const Rejected& item : set.rejected) {
     std::cout << "rejected " << item.source.element << ' ' << item.source.line << ' ' << item.reason
+              << '\n';
+  }
+  for (const Remark& item : set.remarks) {
+    std::cout << "rejected " << item.source.element << ' ' << item.source.line << ' ' << item.what
               << '\n';
   }
 } catch (const plumbline::Error& error) {

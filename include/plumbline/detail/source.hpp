@@ -58,8 +58,22 @@ struct Rejected {
   Source source;
   std::string reason;
   std::string text;  ///< the offending text, shortened to 60 characters
+  /// Whether no lines were lost with it: a text, an image, a point, what the drawing hides.
+  bool harmless = false;
 
   friend bool operator==(const Rejected&, const Rejected&) = default;
+};
+
+/// How many of the items are not harmless: something that looks like lines was lost.
+std::size_t count_lost(const std::vector<Rejected>& rejected);
+
+/// What is to be said of an item that was drawn nevertheless: "ring is not closed; ...".
+struct Remark {
+  Source source;
+  std::string what;
+  std::string text;  ///< the text that it is about, shortened to 60 characters
+
+  friend bool operator==(const Remark&, const Remark&) = default;
 };
 
 /// One replacement of a number on the way from the file to exact coordinates.

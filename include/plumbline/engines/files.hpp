@@ -18,8 +18,8 @@ struct Result {
   /// Whether the file has faces. If not, the complex has none, and vertices and edges alone can be
   /// compared.
   bool has_faces = false;
-  /// What of the file is not in the complex, and notes.
-  std::vector<Rejected> rejected;
+  std::vector<Rejected> rejected;  ///< what of the file is not in the complex
+  std::vector<Remark> remarks;
 };
 
 /// The result in a file; `complex_from_faces` says what becomes of faces that overlap, leave gaps
@@ -34,6 +34,7 @@ struct Result {
 ///   FV is a cycle of vertices; or, where EV does not join them in this order, the set of vertices
 ///   of the cycles that EV has among them. Indices count from `index_base`; without it from 0, or
 ///   from 1 where that alone fits (some index is the number of vertices, none is 0).
+/// - `.json`: a bare list of segments, as edges.
 /// - `.json`: what `arrange --output` and `lar --trace` of this program write.
 /// Throws: Error BadFile; BadInput for a malformed file, an unknown ending, an index out of range;
 /// Limit.

@@ -1,6 +1,7 @@
 // A result from a file as an engine's answer.
 
 #include "plumbline/engines/files.hpp"
+
 #include "plumbline/error.hpp"
 
 namespace plumbline::files {
@@ -21,6 +22,7 @@ Answer answer(Result result) {
   answer.exact_complex = std::move(result.complex);
   answer.compared = result.has_faces ? Compared::All : Compared::Graph;
   answer.dropped = std::move(result.rejected);
+  answer.remarks = std::move(result.remarks);
   return answer;
 }
 

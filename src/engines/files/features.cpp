@@ -61,6 +61,7 @@ Result read_features(ByteStream& bytes, FeatureReader reader) {
   Structure notes = reader(bytes, {&geometries});
   result.file = bytes.file();
   result.rejected = std::move(notes.rejected);
+  result.remarks = std::move(notes.remarks);
   const CellLists cells = cells_of(geometries);
   result.has_faces = !cells.faces.empty();
   result.complex = exact(complex_from_faces(cells));

@@ -42,7 +42,7 @@ class LarResult {
  private:
   void find_members(const JsonValue& root);
   void find_list_members(const JsonValue& root);
-  void note(const JsonValue& value, std::string element, std::string reason);
+  static Source source_of(const JsonValue& value, std::string element);
   void read_vertices();
   void find_base();
   void read_edges();
@@ -83,18 +83,18 @@ void LarResult::find_members(const JsonValue& root) {
        : key == "FV" ? members_.faces
                      : members_.polygons) = member;
     } else if (key != "format") {
-      note(member, std::string(key), "this member of a LAR model is not understood");
+      result_.rejected.push_back({source_of(member, std::string(key)),
+                                  "this member of a LAR model is not understood",
+                                  {},
+                                  true});
     }
   }
   if (!members_.vertices) root.fail("not LAR: no member V");
 }
 
-void LarResult::note(const JsonValue& value, std::string element, std::string reason) {
-  Rejected& item = result_.rejected.emplace_back();
-  item.source.line = value.place().line;
-  item.source.column = value.place().column;
-  item.source.element = std::move(element);
-  item.reason = std::move(reason);
+Source LarResult::source_of(const JsonValue& value, std::string element) {
+  const Place place = value.place();
+  return {0, place.line, place.column, std::move(element), {}, {}};
 }
 
 /// [V, EV], [V, FV] or [V, FV, EV]: of two lists the second has edges if its cells are pairs.
@@ -131,7 +131,8 @@ void LarResult::read_vertices() {
     has_other_coordinates = has_other_coordinates || point.size() > 2;
   }
   if (has_other_coordinates) {
-    note(*members_.vertices, "V", "coordinates beyond x and y are not used");
+    result_.remarks.push_back(
+        {source_of(*members_.vertices, "V"), "coordinates beyond x and y are not used", {}});
   }
 }
 

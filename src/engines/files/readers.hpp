@@ -10,8 +10,7 @@ namespace plumbline::files {
 Result read_lar(ByteStream& bytes);
 Result read_arrangement(ByteStream& bytes);
 
-/// A reader of drawings that gives lines and polygons.
-using FeatureReader = Structure (*)(ByteStream&, const FeatureOptions&);
+/// With a reader of drawings that gives lines and polygons.
 Result read_features(ByteStream& bytes, FeatureReader reader);
 
 /// Notes faces that are not in the complex, having no edge.

@@ -29,12 +29,15 @@ auto summary(const Check& check) {
   const Comparison& c = check.comparison;
   return members(
       member("verdict", c.agree() ? "agree" : "disagree"),
+      member("lost", count_lost(check.input.rejected)),
       member("drift",
              object(member("places", check.drift.places), member("largest", check.drift.largest),
                     member("bound", check.drift.bound), member("complete", check.drift.is_complete),
                     member("findings", check.own_findings()))),
       member("engine", engine(check.answer)), member("float_valid", c.float_valid),
       member("exact", check.input.ledger.empty()), member("radius", check.answer.radius),
+      member("radius_from", given(!check.answer.radius_from.empty(),
+                                  [&check] { return check.answer.radius_from; })),
       member("crowded_vertices", check.crowded_vertices), member("tolerance", c.tolerance),
       member("largest_displacement", c.largest_displacement),
       member("counts", object(member("exact", counts(c.exact_counts)),

@@ -51,7 +51,7 @@ std::string to_compact_json(const ExactComplex& complex, const SegmentSet& input
              member("faces", list(complex.face_count(),
                                   [&](std::size_t f) { return face_row(complex, FaceId(f)); })),
              member("isolated_vertices", isolated_rows(complex)), crs_member(input.crs),
-             member("files", input.files), losses(input.rejected, input.ledger)),
+             member("files", input.files), losses(input.rejected, input.remarks, input.ledger)),
       Layout::Dense);
 }
 

@@ -9,13 +9,15 @@ inline auto source_members(const Source& s) {
                  member("element", s.element), member("id", s.id), member("path", s.path));
 }
 
-/// "rejected" and "ledger".
-Part losses(const std::vector<Rejected>& rejected, const std::vector<Replacement>& ledger);
+/// "rejected", "remarks" and "ledger".
+Part losses(const std::vector<Rejected>& rejected, const std::vector<Remark>& remarks,
+            const std::vector<Replacement>& ledger);
 
 /// "crs", where there is one.
 Part crs_member(const std::string& crs);
 
-/// Where a drawing's items come from: "crs", "files", "sources", "segments", "rejected", "ledger".
+/// Where a drawing's items come from: "crs", "files", "sources", "segments", "rejected",
+/// "remarks", "ledger".
 /// Documented in docs/json.md.
 Part input_members(const SegmentSet& input);
 

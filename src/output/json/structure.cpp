@@ -111,15 +111,16 @@ std::string to_json(const Structure& structure) {
   using namespace json;
   const std::vector<std::string> keys = names(structure);
   const Items items{keys};
-  return document(object(
-      member("root", items.name(structure.root)), member("y_up", structure.y_up),
-      crs_member(structure.crs),
-      member("defs", object(each(Numbers(0, keys.size()),
-                                 [&](std::size_t s) {
-                                   return member(keys[s],
-                                                 definition(structure.structs[s], keys[s], items));
-                                 }))),
-      member("files", structure.files), losses(structure.rejected, structure.ledger)));
+  return document(object(member("root", items.name(structure.root)), member("y_up", structure.y_up),
+                         crs_member(structure.crs),
+                         member("defs", object(each(Numbers(0, keys.size()),
+                                                    [&](std::size_t s) {
+                                                      return member(keys[s],
+                                                                    definition(structure.structs[s],
+                                                                               keys[s], items));
+                                                    }))),
+                         member("files", structure.files),
+                         losses(structure.rejected, structure.remarks, structure.ledger)));
 }
 
 std::string to_json(const LarModel& model) {

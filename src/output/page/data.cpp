@@ -195,7 +195,7 @@ PageData page_data(const Check& check) {
   const std::vector<Source> kinds = add_sources(arrays, check.input);
   const SegmentSet& input = check.input;
   return {document(object(check_members(check), member("files", input.files),
-                          losses(input.rejected, input.ledger),
+                          losses(input.rejected, input.remarks, input.ledger),
                           page_member(check, arrays, complexes.same(), areas, kinds))),
           arrays.bytes()};
 }

@@ -103,21 +103,30 @@ void append_causes(std::string& text, const Check& check) {
   }
 }
 
-/// "5 rejected: zero width (3), no such file (2)", the most frequent reasons.
-void append_input(std::string& text, const SegmentSet& input) {
-  text += fmt::format("input: {} segments, {} points; {} rejected", input.segments.size(),
-                      input.points.size(), input.rejected.size());
+/// ": zero width (3), no such file (2)", the most frequent reasons.
+template <class Item>
+std::string reasons_text(const std::vector<Item>& items, std::string Item::*reason) {
   std::map<std::string, std::size_t> counts;
-  for (const Rejected& item : input.rejected) ++counts[item.reason];
+  for (const Item& item : items) ++counts[item.*reason];
   std::vector<std::pair<std::string, std::size_t>> reasons(counts.begin(), counts.end());
   std::stable_sort(reasons.begin(), reasons.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   const std::size_t shown = std::min(reasons.size(), kShownReasons);
+  std::string text;
   for (std::size_t i = 0; i < shown; ++i) {
     text += fmt::format("{}{} ({})", i == 0 ? ": " : ", ", line_text(reasons[i].first),
                         reasons[i].second);
   }
-  text += shown < reasons.size() ? ", ...\n" : "\n";
+  return shown < reasons.size() ? text + ", ..." : text;
+}
+
+void append_input(std::string& text, const SegmentSet& input) {
+  text += fmt::format("input: {} segments, {} points; {} rejected{}\n", input.segments.size(),
+                      input.points.size(), input.rejected.size(),
+                      reasons_text(input.rejected, &Rejected::reason));
+  if (input.remarks.empty()) return;
+  text += fmt::format("       {} remarked on{}\n", input.remarks.size(),
+                      reasons_text(input.remarks, &Remark::what));
 }
 
 /// "3 numbers were replaced: by at most 1e-15 rad (2), 0.001 (1)".
@@ -218,7 +227,7 @@ std::string to_text(const Check& check, std::optional<std::size_t> listed) {
   append_radius_advice(text, check);
   if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
   append_cell_counts(text, check);
-  if (check.answer.radius) text += fmt::format("radius {}, ", short_number(*check.answer.radius));
+  if (check.answer.radius) text += radius_text(check.answer) + ", ";
   text += fmt::format("tolerance {}, largest displacement {}\n", short_number(c.tolerance),
                       short_number(c.largest_displacement));
   append_input(text, check.input);

@@ -6,6 +6,8 @@
 
 #include <unordered_set>
 
+#include "output/text/terminal.hpp"
+
 namespace plumbline {
 
 std::string verdict(const Check& check) {
@@ -13,7 +15,8 @@ std::string verdict(const Check& check) {
   const std::size_t groups = check.groups.size();
   std::string findings = fmt::format("{} finding{}", count, count == 1 ? "" : "s");
   if (count > 1) findings += fmt::format(" in {} group{}", groups, groups == 1 ? "" : "s");
-  std::string text = "agree";
+  const bool is_empty = check.input.segments.empty() && check.input.points.empty();
+  std::string text = is_empty ? "nothing was drawn, so there is nothing to agree about" : "agree";
   if (count > 0 && own == count) {
     text = "agree but for the file's own drift: " + findings;
   } else if (count > 0) {
@@ -21,7 +24,17 @@ std::string verdict(const Check& check) {
     if (own > 0) text += fmt::format(", {} of them the file's own drift", own);
   }
   if (check.comparison.compared == Compared::Graph) text += " (vertices and edges alone: no faces)";
+  const std::size_t lost = count_lost(check.input.rejected);
+  if (lost > 0) text += fmt::format("; not all was read: {} rejected look like geometry", lost);
   return text;
+}
+
+std::string radius_text(const Answer& answer) {
+  const std::string radius = "radius " + short_number(*answer.radius);
+  const std::string& from = answer.radius_from;
+  if (from == "larlib") return radius + " (larlib: 0.001 on the unit square)";
+  if (from == "plasm") return radius + " (plasm: 1e-8)";
+  return from == "drawing" ? radius + " (the engine's default)" : radius;
 }
 
 const std::vector<CountRow>& count_rows() {

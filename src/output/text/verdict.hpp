@@ -11,6 +11,9 @@ namespace plumbline {
 /// for the file's own drift: 3 findings"; also where only the graph is compared.
 std::string verdict(const Check& check);
 
+/// "radius 0.5 (larlib: 0.001 on the unit square)". Requires: an answer with a radius.
+std::string radius_text(const Answer& answer);
+
 /// A row of the table of counts.
 struct CountRow {
   const char* name;

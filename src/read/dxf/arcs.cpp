@@ -51,7 +51,8 @@ DrawnEntity whole(const Placed& placed, Plane plane, const char* name, Pen& pen)
 Placed circle_of(const Entity& entity) {
   const Number radius = entity.number(kRadius);
   if (sgn(radius) <= 0) {
-    throw Unusable{"radius is not positive", "group 40: " + in_ascii(entity.text(kRadius))};
+    throw Unusable{"radius is not positive", "group 40: " + in_ascii(entity.text(kRadius)),
+                   sgn(radius) == 0};
   }
   const Rational r = radius.rational();
   return {{entity.exact_point(kCentre), {r, 0}, {0, r}},

@@ -57,9 +57,12 @@ class DxfReader {
     }
     entities_.finish();
     if (!ended) {
-      const char* reason = section_ == Section::None ? "the file ends without EOF"
-                                                     : "the file ends inside a section";
-      drawing_.tally.leave_out({0, records_.line(), 0, "EOF", {}, {}}, reason);
+      const Source end{0, records_.line(), 0, "EOF", {}, {}};
+      if (section_ == Section::None) {
+        drawing_.tally.remark(end, "the file ends without EOF");
+      } else {
+        drawing_.tally.leave_out(end, "the file ends inside a section", false);
+      }
     }
     Structure structure = std::move(drawing_).structure(file_name_);
     numbers_.add_to(structure.ledger);
@@ -72,7 +75,7 @@ class DxfReader {
     if (record_.type == "ENDSEC") return close_section();
     switch (section_) {
       case Section::None:
-        return leave_out("outside of any section");
+        return leave_out("outside of any section", false);
       case Section::Tables:
         return visit_table();
       case Section::Blocks:
@@ -86,8 +89,8 @@ class DxfReader {
 
   Entity entity() { return {record_, numbers_}; }
 
-  void leave_out(const char* reason) {
-    drawing_.tally.leave_out(entities_.source(record_), reason);
+  void leave_out(const char* reason, bool harmless) {
+    drawing_.tally.leave_out(entities_.source(record_), reason, harmless);
   }
 
   void open_section() {
@@ -112,7 +115,7 @@ class DxfReader {
     try {
       layers_.add(entity());
     } catch (const Unusable& problem) {
-      drawing_.tally.refuse(entities_.source(record_), problem);
+      drawing_.tally.refuse(entities_.source(record_), {problem.reason, problem.text, true});
     }
   }
 
@@ -126,9 +129,9 @@ class DxfReader {
     } else if (block_) {
       entities_.visit(record_, *block_);
     } else if (!inside_block_) {
-      leave_out("outside of any block");
+      leave_out("outside of any block", false);
     } else if (block_problem_ != nullptr) {
-      leave_out(block_problem_);
+      leave_out(block_problem_, block_problem_ == kInPaperSpace);
     }
   }
 

@@ -53,15 +53,18 @@ void EntityReader::add(const Entity& entity, const Source& source, std::size_t s
   const std::string_view type = entity.record().type;
   const Layers::Layer layer = layers_.of(entity);
   std::string reason;
+  bool harmless = true;
   if (space == 0 && entity.integer(kPaperSpace, 0) == 1) {
     reason = kInPaperSpace;
   } else if (type != "POLYLINE" && type != "INSERT" && !is_shape(type)) {
-    reason = reason_not_read(type);
+    const Unread left_out = unread(type);
+    reason = left_out.reason;
+    harmless = left_out.harmless;
   } else if (pen_.visible_only) {
     reason = reason_to_hide(entity, layer, space != 0);
   }
   if (!reason.empty()) {
-    in.tally.leave_out(in.placed(source, layer.name), reason);
+    in.tally.leave_out(in.placed(source, layer.name), reason, harmless);
     if (type == "POLYLINE") open_ = {source, layer.name, space, std::nullopt};
   } else if (type == "POLYLINE") {
     open_polyline(entity, source, space, layer.name);
@@ -125,12 +128,12 @@ void EntityReader::add_insert(const Entity& entity, const Source& source, std::s
   const Source at = in.placed(source, layer.name);
   const std::string_view name = entity.text(kBlockName);
   Reference reference{source, names_.utf8(name), insert_of(entity, names_.key(name), at), false};
-  if (has_height(entity)) in.tally.leave_out(at, kHeightLeftOut);
+  if (has_height(entity)) in.tally.remark(at, kHeightLeftOut);
   const bool inherits = space != 0 && layer.name == kLayerZero;
   if (pen_.visible_only && layer.state == LayerState::Off && !inherits) {
     reference.hides_layer_zero = true;
     in.tally.leave_out(
-        at, "hidden: what the block has on layer 0, since layer " + layer.name + " is off");
+        at, "hidden: what the block has on layer 0, since layer " + layer.name + " is off", true);
   }
   in.add(layer.name, std::move(reference));
 }
@@ -142,12 +145,12 @@ void EntityReader::add_drawn(DrawnEntity drawn, const Source& source, std::size_
   for (const Substitution& item : drawn.replaced) in.tally.replace(at(), item);
   for (const Unusable& problem : drawn.refused) {
     if (problem.text.empty()) {
-      in.tally.leave_out(at(), problem.reason);
+      in.tally.leave_out(at(), problem.reason, problem.harmless);
     } else {
       in.tally.refuse(at(), problem);
     }
   }
-  if (has_height) in.tally.leave_out(at(), kHeightLeftOut);
+  if (has_height) in.tally.remark(at(), kHeightLeftOut);
   if (drawn.segments.empty()) return;
   if (!pen_.join_curves) drawn.curves.clear();
   in.add(layer, Model{source, std::move(drawn.segments), {}, {}, std::move(drawn.curves)});

@@ -66,7 +66,7 @@ void draw_polyface_face(const PolylineVertex& face, const std::vector<NumberPoin
   for (auto i = face.face.begin(); i != end; ++i) {
     const auto next = i + 1 == end ? face.face.begin() : i + 1;
     if (*i < 0 && visible_only) {
-      drawn.refused.push_back({"hidden edge", {}});
+      drawn.refused.push_back({"hidden edge", {}, true});
     } else {
       const NumberPoint& from = corner(*i);
       drawn.segments.push_back(from, corner(*next));
@@ -123,7 +123,7 @@ DrawnEntity draw_polyline(const Polyline& polyline, Pen& pen) {
   std::vector<Unusable> frame;
   for (const PolylineVertex& vertex : polyline.vertices) {
     if (has(polyline.flags, kSplineFit) && has(vertex.flags, kFrameVertex)) {
-      frame.push_back({"vertex of the frame of a fitted curve", {}});
+      frame.push_back({"vertex of the frame of a fitted curve", {}, true});
     } else {
       vertices.push_back({vertex.point, has(polyline.flags, kInSpace) ? Number() : vertex.bulge});
     }
@@ -134,7 +134,7 @@ DrawnEntity draw_polyline(const Polyline& polyline, Pen& pen) {
 }
 
 DrawnEntity draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plane plane, Pen& pen) {
-  if (vertices.size() < 2) throw Unusable{"polyline of fewer than two vertices", {}};
+  if (vertices.size() < 2) throw Unusable{"polyline of fewer than two vertices", {}, true};
   DrawnEntity drawn;
   double bound = 0;
   bool has_arc = false;

@@ -66,7 +66,7 @@ DrawnEntity draw_face(const Entity& entity, Pen& pen) {
   DrawnEntity drawn;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (pen.visible_only && ((hidden >> i) & 1U) != 0) {
-      drawn.refused.push_back({"hidden edge", {}});
+      drawn.refused.push_back({"hidden edge", {}, true});
     } else {
       drawn.segments.push_back(points[i], points[(i + 1) % points.size()]);
     }

@@ -44,7 +44,7 @@ Structure Drawing::structure(const std::string& file_name) && {
       tally.merge(std::move(spaces[s].tally));
     } else if (!spaces[s].layers.empty()) {
       tally.leave_out({0, spaces[s].line, 0, "BLOCK", spaces[s].name, {}},
-                      "block that is never inserted");
+                      "block that is never inserted", true);
     }
   }
   Structure structure = assemble(*this, file_name);

@@ -23,11 +23,15 @@ void sort_by_line(std::vector<Item>& items) {
 }  // namespace
 
 void Tally::refuse(const Source& source, const Unusable& problem) {
-  refused_.push_back(make_rejected(source, problem.reason, problem.text));
+  refused_.push_back(make_rejected(source, problem.reason, problem.text, problem.harmless));
 }
 
-void Tally::leave_out(const Source& source, const std::string& reason) {
-  add(left_out_, {source.element, reason, {}}, {source, 1, 0});
+void Tally::leave_out(const Source& source, const std::string& reason, bool harmless) {
+  add(left_out_, {source.element, reason, {}}, {source, 1, 0, harmless});
+}
+
+void Tally::remark(const Source& source, const std::string& what) {
+  add(remarks_, {source.element, what, {}}, {source, 1});
 }
 
 void Tally::replace(const Source& source, const Substitution& replaced) {
@@ -41,21 +45,30 @@ void Tally::add(Counts& counts, const Key& key, const Count& more) {
   if (more.first.line < count.first.line) count.first = more.first;
   count.count += more.count;
   count.bound = std::max(count.bound, more.bound);
+  count.harmless = count.harmless && more.harmless;
 }
 
 void Tally::merge(Tally other) {
   std::move(other.refused_.begin(), other.refused_.end(), std::back_inserter(refused_));
   for (const auto& [key, count] : other.left_out_) add(left_out_, key, count);
+  for (const auto& [key, count] : other.remarks_) add(remarks_, key, count);
   for (const auto& [key, count] : other.replaced_) add(replaced_, key, count);
 }
 
 void Tally::append_to(Structure& structure) const {
   std::vector<Rejected> rejected = refused_;
   for (const auto& [key, count] : left_out_) {
-    rejected.push_back({count.first, counted(std::get<1>(key), count.count), {}});
+    rejected.push_back({count.first, counted(std::get<1>(key), count.count), {}, count.harmless});
   }
   sort_by_line(rejected);
   std::move(rejected.begin(), rejected.end(), std::back_inserter(structure.rejected));
+
+  std::vector<Remark> remarks;
+  for (const auto& [key, count] : remarks_) {
+    remarks.push_back({count.first, counted(std::get<1>(key), count.count), {}});
+  }
+  sort_by_line(remarks);
+  std::move(remarks.begin(), remarks.end(), std::back_inserter(structure.remarks));
 
   std::vector<Replacement> ledger;
   for (const auto& [key, count] : replaced_) {

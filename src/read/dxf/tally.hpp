@@ -17,12 +17,14 @@ class Tally {
   void refuse(const Source& source, const Unusable& problem);
   /// One of the items that are left out for the same reason; listed as one per type and reason, in
   /// the place of the first.
-  void leave_out(const Source& source, const std::string& reason);
+  void leave_out(const Source& source, const std::string& reason, bool harmless);
+  /// The same for what is drawn.
+  void remark(const Source& source, const std::string& what);
   /// Listed as one per type and `what`, in the place of the first, with the largest bound.
   void replace(const Source& source, const Substitution& replaced);
 
   void merge(Tally other);
-  /// To `rejected` and `ledger`, each by their lines.
+  /// To `rejected`, `remarks` and `ledger`, each by their lines.
   void append_to(Structure& structure) const;
 
  private:
@@ -30,6 +32,7 @@ class Tally {
     Source first;
     std::size_t count = 0;
     double bound = 0;
+    bool harmless = true;
   };
   using Key = std::tuple<std::string, std::string, std::string>;  ///< type, reason or what, unit
   using Counts = std::map<Key, Count>;
@@ -38,6 +41,7 @@ class Tally {
 
   std::vector<Rejected> refused_;
   Counts left_out_;
+  Counts remarks_;
   Counts replaced_;
 };
 

@@ -6,58 +6,54 @@
 namespace plumbline::dxf {
 namespace {
 
-struct Unread {
-  std::string_view type;
-  const char* reason;
-};
 constexpr const char* kAnnotation = "annotation is not read";
 constexpr const char* kPicture = "fills, pictures and masks are not read";
 constexpr const char* kEndless = "endless lines are not read";
 constexpr const char* kSolid = "surfaces and solids are not read";
 constexpr std::array kUnread{
-    Unread{"TEXT", kAnnotation},
-    Unread{"MTEXT", kAnnotation},
-    Unread{"ATTRIB", kAnnotation},
-    Unread{"ATTDEF", kAnnotation},
-    Unread{"DIMENSION", kAnnotation},
-    Unread{"ARC_DIMENSION", kAnnotation},
-    Unread{"LARGE_RADIAL_DIMENSION", kAnnotation},
-    Unread{"LEADER", kAnnotation},
-    Unread{"MULTILEADER", kAnnotation},
-    Unread{"MLEADER", kAnnotation},
-    Unread{"TOLERANCE", kAnnotation},
-    Unread{"ACAD_TABLE", kAnnotation},
-    Unread{"RTEXT", kAnnotation},
-    Unread{"ARCALIGNEDTEXT", kAnnotation},
-    Unread{"HATCH", kPicture},
-    Unread{"MPOLYGON", kPicture},
-    Unread{"IMAGE", kPicture},
-    Unread{"WIPEOUT", kPicture},
-    Unread{"OLEFRAME", kPicture},
-    Unread{"OLE2FRAME", kPicture},
-    Unread{"PDFUNDERLAY", kPicture},
-    Unread{"DWFUNDERLAY", kPicture},
-    Unread{"DGNUNDERLAY", kPicture},
-    Unread{"POINT", "points are not read"},
-    Unread{"RAY", kEndless},
-    Unread{"XLINE", kEndless},
-    Unread{"3DSOLID", kSolid},
-    Unread{"BODY", kSolid},
-    Unread{"REGION", kSolid},
-    Unread{"SURFACE", kSolid},
-    Unread{"MESH", kSolid},
-    Unread{"VERTEX", "without a POLYLINE"},
-    Unread{"VIEWPORT", "a view of the drawing, not a part of it"},
-    Unread{"ACAD_PROXY_ENTITY", "known to the application only that made it"},
-    Unread{"ACAD_PROXY_OBJECT", "known to the application only that made it"},
+    Unread{"TEXT", kAnnotation, true},
+    Unread{"MTEXT", kAnnotation, true},
+    Unread{"ATTRIB", kAnnotation, true},
+    Unread{"ATTDEF", kAnnotation, true},
+    Unread{"DIMENSION", kAnnotation, true},
+    Unread{"ARC_DIMENSION", kAnnotation, true},
+    Unread{"LARGE_RADIAL_DIMENSION", kAnnotation, true},
+    Unread{"LEADER", kAnnotation, true},
+    Unread{"MULTILEADER", kAnnotation, true},
+    Unread{"MLEADER", kAnnotation, true},
+    Unread{"TOLERANCE", kAnnotation, true},
+    Unread{"ACAD_TABLE", kAnnotation, true},
+    Unread{"RTEXT", kAnnotation, true},
+    Unread{"ARCALIGNEDTEXT", kAnnotation, true},
+    Unread{"HATCH", kPicture, true},
+    Unread{"MPOLYGON", kPicture, false},
+    Unread{"IMAGE", kPicture, true},
+    Unread{"WIPEOUT", kPicture, true},
+    Unread{"OLEFRAME", kPicture, true},
+    Unread{"OLE2FRAME", kPicture, true},
+    Unread{"PDFUNDERLAY", kPicture, true},
+    Unread{"DWFUNDERLAY", kPicture, true},
+    Unread{"DGNUNDERLAY", kPicture, true},
+    Unread{"POINT", "points are not read", true},
+    Unread{"RAY", kEndless, false},
+    Unread{"XLINE", kEndless, false},
+    Unread{"3DSOLID", kSolid, false},
+    Unread{"BODY", kSolid, false},
+    Unread{"REGION", kSolid, false},
+    Unread{"SURFACE", kSolid, false},
+    Unread{"MESH", kSolid, false},
+    Unread{"VERTEX", "without a POLYLINE", false},
+    Unread{"VIEWPORT", "a view of the drawing, not a part of it", true},
+    Unread{"ACAD_PROXY_ENTITY", "known to the application only that made it", false},
+    Unread{"ACAD_PROXY_OBJECT", "known to the application only that made it", false},
 };
 
 }  // namespace
 
-const char* reason_not_read(std::string_view type) {
+Unread unread(std::string_view type) {
   const auto* found = std::find_if(kUnread.begin(), kUnread.end(),
                                    [type](const Unread& unread) { return unread.type == type; });
-  return found == kUnread.end() ? "not understood" : found->reason;
+  return found == kUnread.end() ? Unread{type, "not understood", false} : *found;
 }
 
 }  // namespace plumbline::dxf

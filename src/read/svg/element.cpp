@@ -65,6 +65,14 @@ bool holds_drawing(const pugi::xml_node& top) {
   return false;
 }
 
+bool holds_shape(const pugi::xml_node& top) {
+  for (auto node = top; node; node = next_below(top, node)) {
+    const std::string_view name = local_name(node);
+    if (contains(kShapes, name) || name == "use") return true;
+  }
+  return false;
+}
+
 void Namespaces::enter(const pugi::xml_node& element) {
   entered_.push_back(declared_.size());
   for (auto a = element.first_attribute(); a; a = a.next_attribute()) {

@@ -24,6 +24,8 @@ std::string_view local_name(const pugi::xml_node& element);
 
 /// Whether an element below `top`, or `top` itself, is by its name one that draws.
 bool holds_drawing(const pugi::xml_node& top);
+/// The same for what has lines: shapes, and uses of them.
+bool holds_shape(const pugi::xml_node& top);
 
 /// The namespace prefixes in force on the way down a document.
 class Namespaces {

@@ -15,7 +15,7 @@ namespace {
 Number positive(Number value, const pugi::xml_node& element, const char* name) {
   if (sgn(value) > 0) return value;
   throw Unusable{std::string(sgn(value) < 0 ? "negative " : "zero ") + name,
-                 quoted(name, element.attribute(name).value())};
+                 quoted(name, element.attribute(name).value()), sgn(value) == 0};
 }
 
 Ellipse ellipse_at(const Number& x, const Number& y, const Number& rx, const Number& ry) {
@@ -64,7 +64,7 @@ class ShapeReader {
   Pieces ellipse() const {
     const auto rx = radius("rx", viewport_.width);
     const auto ry = radius("ry", viewport_.height);
-    if (!rx && !ry) throw Unusable{"ellipse without radii", {}};
+    if (!rx && !ry) throw Unusable{"ellipse without radii", {}, true};
     return whole({x("cx"), y("cy")},
                  {positive(rx ? *rx : *ry, element_, rx ? "rx" : "ry"),
                   positive(ry ? *ry : *rx, element_, ry ? "ry" : "rx")},
@@ -89,7 +89,7 @@ class ShapeReader {
   }
 
   Number extent(const char* name, const std::optional<Rational>& whole) const {
-    if (!element_.attribute(name)) throw Unusable{std::string("rect without ") + name, {}};
+    if (!element_.attribute(name)) throw Unusable{std::string("rect without ") + name, {}, true};
     return positive(length(name, whole), element_, name);
   }
 
@@ -166,7 +166,7 @@ class ShapeReader {
     if (!pieces.segments.empty() || !pieces.refused.empty()) return pieces;
     constexpr std::size_t kShown = 100;
     const std::string_view data = element_.attribute(name).value();
-    throw Unusable{"draws nothing", quoted(name, data.substr(0, kShown))};
+    throw Unusable{"draws nothing", quoted(name, data.substr(0, kShown)), true};
   }
 
   const pugi::xml_node& element_;

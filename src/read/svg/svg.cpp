@@ -51,7 +51,7 @@ class SvgReader {
     }
     structure_.structs.push_back(named_struct(root));
     if (options_.visible_only && !is_displayed(root)) {
-      reject(root, {"hidden", "display: none"});
+      reject(root, {"hidden", "display: none", true});
       return std::move(structure_);
     }
     Frame frame = frame_of(root, structure_.root);
@@ -62,7 +62,7 @@ class SvgReader {
     list_style_sheets();
     while (!frames_.empty()) step();
     for (const auto& [element, path] : undrawn_.unused()) {
-      reject(element, path, {"not drawn directly", {}});
+      reject(element, path, {"not drawn directly", {}, true});
     }
     numbers_.add_to(structure_.ledger);
     return std::move(structure_);
@@ -104,7 +104,7 @@ class SvgReader {
     try {
       return root_viewport(root, numbers_);
     } catch (const Unusable& problem) {
-      reject(root, problem);
+      remark(root, problem.reason, problem.text);
       return {};
     }
   }
@@ -115,11 +115,11 @@ class SvgReader {
     try {
       check_placement(root, "svg");
     } catch (const Unusable& problem) {
-      reject(root, problem);
+      remark(root, problem.reason, problem.text);
     }
     if (!root.attribute("transform")) return;
-    reject(root, {"transform of the root svg maps its user units to the page; it is not applied",
-                  std::string(attribute(root, "transform"))});
+    remark(root, "transform of the root svg maps its user units to the page; it is not applied",
+           std::string(attribute(root, "transform")));
   }
 
   void step() {
@@ -144,13 +144,14 @@ class SvgReader {
     if (is_target && kind == SvgKind::Undrawn && name == "symbol") kind = SvgKind::Container;
     try {
       if (kind == SvgKind::Undrawn && is_target) {
-        throw Unusable{"use of an element that is not drawn", {}};
+        throw Unusable{"use of an element that is not drawn", {}, !holds_shape(element)};
       }
       if (kind == SvgKind::Undrawn) return pass_over(element);
       const bool visible = own_visibility(element).value_or(frames_.back().visible);
       check_hidden(element, kind, visible);
       if (kind == SvgKind::Unknown) {
-        throw Unusable{"element " + std::string(name) + " is not understood yet", {}};
+        throw Unusable{
+            "element " + std::string(name) + " is not understood yet", {}, !holds_shape(element)};
       }
       if (is_target) undrawn_.used(element);
       StructId* const known = index_.is_referenced(element)
@@ -178,9 +179,9 @@ class SvgReader {
   /// Throws: Unusable for what is hidden, where that counts.
   void check_hidden(const pugi::xml_node& element, SvgKind kind, bool visible) const {
     if (!options_.visible_only) return;
-    if (!is_displayed(element)) throw Unusable{"hidden", "display: none"};
+    if (!is_displayed(element)) throw Unusable{"hidden", "display: none", true};
     if (!visible && (kind == SvgKind::Shape || kind == SvgKind::Unknown)) {
-      throw Unusable{"hidden", "visibility: hidden"};
+      throw Unusable{"hidden", "visibility: hidden", true};
     }
   }
 
@@ -218,7 +219,7 @@ class SvgReader {
     }
     if (name == "svg" || name == "symbol") {
       SvgPlacement placement = place_viewport(element, use_extents, frame.viewport, numbers_);
-      if (placement.clips) reject(element, {"clipping by a viewport is not applied", {}});
+      if (placement.clips) remark(element, "clipping by a viewport is not applied", {});
       child.body.emplace_back(std::move(placement.map));
       frame.viewport = std::move(placement.inside);
     }
@@ -282,8 +283,8 @@ class SvgReader {
       const std::string_view sheet = element.child_value();
       for (const char* word : {"transform", "display", "visibility"}) {
         if (sheet.find(word) == sheet.npos) continue;
-        reject(element,
-               {"style sheets are not interpreted: " + std::string(word), std::string(sheet)});
+        remark(element, "style sheets are not interpreted: " + std::string(word),
+               std::string(sheet));
         break;
       }
     }
@@ -357,8 +358,11 @@ class SvgReader {
     reject(element, path_.text(), problem);
   }
   void reject(const pugi::xml_node& element, const std::string& path, const Unusable& problem) {
-    structure_.rejected.push_back(
-        make_rejected(source_with_path(element, path), problem.reason, problem.text));
+    structure_.rejected.push_back(make_rejected(source_with_path(element, path), problem.reason,
+                                                problem.text, problem.harmless));
+  }
+  void remark(const pugi::xml_node& element, const std::string& what, const std::string& text) {
+    structure_.remarks.push_back(make_remark(source_with_path(element, path_.text()), what, text));
   }
 
   XmlDocument document_;

@@ -102,9 +102,9 @@ std::optional<Rational> extent(const pugi::xml_node& element, const char* name,
   try {
     Rational value = parse_length(text, around, numbers).rational();
     if (sgn(value) > 0) return value;
-    throw Unusable{std::string(sgn(value) < 0 ? "negative " : "zero ") + name, {}};
+    throw Unusable{std::string(sgn(value) < 0 ? "negative " : "zero ") + name, {}, sgn(value) == 0};
   } catch (const Unusable& problem) {
-    throw Unusable{problem.reason, quoted(name, text)};
+    throw Unusable{problem.reason, quoted(name, text), problem.harmless};
   }
 }
 

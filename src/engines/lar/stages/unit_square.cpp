@@ -37,6 +37,7 @@ SegmentSet to_unit_square(const SegmentSet& input) {
   result.files = input.files;
   result.sources = input.sources;
   result.rejected = input.rejected;
+  result.remarks = input.remarks;
   result.ledger = input.ledger;
   for (std::size_t i = 0; i < input.segments.size(); ++i) {
     const Segment& segment = input.segments[i];
