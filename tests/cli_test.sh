@@ -112,6 +112,16 @@ echo 'POLYGON((0 0,4 0,4 4,0 0))' >c.wkt
 expect "a right result of another program agrees" 0 '^agree' "$plumbline" check c.lines --against c.wkt
 expect "a file of it is an engine, too" 0 'the result' "$plumbline" check c.lines --engine files --set file=c.wkt
 echo 'LINESTRING(0 0,4 0,4 4)' >c.wkt
+echo 'POLYGON((0 0,4 0,4 4,0 0))' >c.wkt
+printf '0,0,4,0\n4,0,4,4\n4,4,0,0\n4,4,5,5\n2,0,2,-1\n' >dangles.lines
+expect "polygons claim faces, not what dangles" 0 '^agree .the result has polygons alone: 2 edges' "$plumbline" check dangles.lines --against c.wkt
+printf '0,0,4,0\n4,0,4,4\n4,4,0,0\n0,0,0,4\n0,4,4,4\n' >two.lines
+expect "some of the faces are some of them" 0 '^agree .1 of the result' "$plumbline" check two.lines --against c.wkt --some-faces
+expect "all of them are not" 1 '^disagree' "$plumbline" check two.lines --against c.wkt
+expect "it takes a result to have some" 2 'against' "$plumbline" check two.lines --some-faces
+rm dangles.lines two.lines
+echo 'LINESTRING(0 0,4 0,4 4)' >c.wkt
+expect "nor has it faces without any" 2 'of a result with faces' "$plumbline" check c.lines --against c.wkt --some-faces
 expect "one without faces is compared by its edges" 1 '^disagree: 1 finding.*no faces.*edge missing' "$plumbline" check c.lines --against c.wkt
 expect "a result has no radius" 2 'radius' "$plumbline" check c.lines --against c.wkt --radius 1
 echo '{"V": [[0,0]], "EV": [[0,1]]}' >c.json

@@ -47,12 +47,19 @@ struct Finding {
 enum class Compared {
   All,
   Graph,  ///< vertices and edges, of a result that has no faces
+  /// Faces and what bounds them, of a result that has polygons alone: no edges with the same face
+  /// on both sides (dangling ones, bridges), no isolated vertices, no vertices that only such
+  /// edges make of a straight side.
+  Faces,
+  SomeFaces,  ///< each bounded face of the result, and nothing that it has not
 };
+std::string to_text(Compared compared);  ///< "all", "graph", "faces", "some faces"
 
 struct Comparison {
   double tolerance = 0;
   Compared compared = Compared::All;
-  Counts exact_counts, float_counts;
+  std::size_t edges_left_out = 0, vertices_left_out = 0;  ///< exact ones, of Faces
+  Counts exact_counts, float_counts;                      ///< of the whole complexes
   /// Pairs that match one to one; of faces those with the same outer boundary.
   std::size_t matched_vertices = 0, matched_edges = 0, matched_faces = 0;
   double largest_displacement = 0;  ///< of a matched vertex
@@ -79,7 +86,7 @@ struct Comparison {
 Comparison compare(const ExactComplex& exact_complex, const FloatComplex& float_complex,
                    double tolerance);
 /// The same of two exact complexes: the second one takes the place of the float complex. Of Graph,
-/// what its faces and cycles are does not matter.
+/// what its faces and cycles are does not matter. Of Faces the exact complex must be valid.
 Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_complex,
                    double tolerance, Compared compared = Compared::All);
 

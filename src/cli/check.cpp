@@ -56,6 +56,14 @@ Answer answer_for(const CheckArguments& arguments, const Engine& engine, const D
   return answer;
 }
 
+void choose_some_faces(Answer& answer) {
+  if (answer.compared == Compared::Graph) {
+    throw Error(ErrorCode::BadInput, "--some-faces is of a result with faces",
+                {answer.title, 0, 0});
+  }
+  answer.compared = Compared::SomeFaces;
+}
+
 Check compare(const CheckArguments& arguments, const std::vector<Engine>& engines) {
   // What is malformed is told at once, before the work.
   const Engine engine = engine_named(arguments.engine, engines);
@@ -63,6 +71,7 @@ Check compare(const CheckArguments& arguments, const std::vector<Engine>& engine
   if (arguments.against) {
     answer = files::answer(files::read(*arguments.against));
     ensure_all_drawn(arguments, *arguments.against, answer->dropped, false);
+    if (arguments.some_faces) choose_some_faces(*answer);
   } else {
     asked_of(arguments, engine, {});
   }

@@ -58,6 +58,7 @@ struct ArrangeArguments : DrawingArguments {
 
 struct CheckArguments : DrawingArguments {
   std::optional<std::string> against;
+  bool some_faces = false;            ///< of `against`
   std::optional<std::size_t> listed;  ///< groups printed with their findings
   std::string engine = "lar";
   std::vector<std::string> settings;    ///< NAME=VALUE, its parameters

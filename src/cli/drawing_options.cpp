@@ -91,14 +91,20 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
           "least 2^-46 x its largest coordinate; "
           "of inters 0.001]")
       ->type_name("R");
+  CLI::Option* against =
+      command
+          .add_option(
+              "--against", arguments.against,
+              "Check this result, made by another program, and not float LAR's: LAR (V, FV, EV) "
+              "as JSON; polygons and lines as GeoJSON, WKT, WKB, CSV; what arrange -o and lar "
+              "--trace write")
+          ->type_name("FILE")
+          ->excludes("--radius");
   command
-      .add_option(
-          "--against", arguments.against,
-          "Check this result, made by another program, and not float LAR's: LAR (V, FV, EV) "
-          "as JSON; polygons and lines as GeoJSON, WKT, WKB, CSV; what arrange -o and lar "
-          "--trace write")
-      ->type_name("FILE")
-      ->excludes("--radius");
+      .add_flag("--some-faces", arguments.some_faces,
+                "Of --against: the result has some of the faces, as LAR's chains; each must be one "
+                "of the drawing's, and nothing else is compared")
+      ->needs(against);
   command
       .add_option("--tolerance", arguments.tolerance,
                   "Vertices match within this distance, in drawing units [default: the radius; "

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "compare/claims.hpp"
+#include "compare/some_faces.hpp"
 #include "compare/steps.hpp"
 #include "compare/wrong_cells.hpp"
 
@@ -68,6 +70,20 @@ Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
   return result;
 }
 
+Comparison compare_faces(const ExactComplex& exact_complex, const ExactComplex& other_complex,
+                         double tolerance) {
+  const compare_steps::Claims claims =
+      compare_steps::claimed_by_polygons(exact_complex, other_complex, tolerance);
+  Comparison result =
+      compare_in(Detail::Full, claims.complex, other_complex, tolerance, Compared::All);
+  for (Finding& finding : result.findings) finding = claims.of_whole(std::move(finding));
+  result.compared = Compared::Faces;
+  result.edges_left_out = claims.edges_left_out;
+  result.vertices_left_out = claims.vertices_left_out;
+  result.exact_counts = counts(exact_complex, exact_complex.vertices.size());
+  return result;
+}
+
 }  // namespace
 
 Comparison compare(const ExactComplex& exact_complex, const FloatComplex& float_complex,
@@ -77,6 +93,10 @@ Comparison compare(const ExactComplex& exact_complex, const FloatComplex& float_
 
 Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_complex,
                    double tolerance, Compared compared) {
+  if (compared == Compared::SomeFaces) {
+    return compare_steps::some_faces(exact_complex, other_complex, tolerance);
+  }
+  if (compared == Compared::Faces) return compare_faces(exact_complex, other_complex, tolerance);
   return compare_in(Detail::Full, exact_complex, other_complex, tolerance, compared);
 }
 

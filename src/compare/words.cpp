@@ -20,6 +20,20 @@ std::string to_text(CellKind kind) {
   return "complex";
 }
 
+std::string to_text(Compared compared) {
+  switch (compared) {
+    case Compared::All:
+      return "all";
+    case Compared::Graph:
+      return "graph";
+    case Compared::Faces:
+      return "faces";
+    case Compared::SomeFaces:
+      return "some faces";
+  }
+  return "";
+}
+
 std::string to_text(Disagreement disagreement) {
   switch (disagreement) {
     case Disagreement::Invalid:

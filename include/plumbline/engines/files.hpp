@@ -18,6 +18,11 @@ struct Result {
   /// Whether the file has faces. If not, the complex has none, and vertices and edges alone can be
   /// compared.
   bool has_faces = false;
+  /// Whether its edges are all there are to it, or just those around its faces: polygons alone.
+  bool has_edges = true;
+  /// Vertices that a ring of a polygon goes past in line, which another polygon has; they are put
+  /// into it.
+  std::vector<PointD> passed;
   std::vector<Rejected> rejected;  ///< what of the file is not in the complex
   std::vector<Remark> remarks;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engines/files/readers.hpp"
+#include "engines/files/split_rings.hpp"
 #include "plumbline/engine/cell_lists.hpp"
 
 namespace plumbline::files {
@@ -62,8 +63,10 @@ Result read_features(ByteStream& bytes, FeatureReader reader) {
   result.file = bytes.file();
   result.rejected = std::move(notes.rejected);
   result.remarks = std::move(notes.remarks);
-  const CellLists cells = cells_of(geometries);
+  CellLists cells = cells_of(geometries);
+  for (const VertexId v : split_rings(cells)) result.passed.push_back(cells.vertices[v]);
   result.has_faces = !cells.faces.empty();
+  result.has_edges = !geometries.lines.empty();
   result.complex = exact(complex_from_faces(cells));
   note_lost_faces(result, cells.faces.size());
   return result;

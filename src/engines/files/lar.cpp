@@ -33,6 +33,7 @@ class LarResult {
     read_edges();
     read_faces();
     result_.has_faces = members_.faces || members_.polygons;
+    result_.has_edges = members_.edges.has_value();
     cells_.lists_all_edges = members_.edges.has_value();
     result_.complex = exact(complex_from_faces(cells_));
     note_lost_faces(result_, cells_.faces.size());

@@ -43,7 +43,9 @@ auto summary(const Check& check) {
       member("counts", object(member("exact", counts(c.exact_counts)),
                               member("doubles", counts(check.conversion.float_counts)),
                               member("float", counts(c.float_counts)))),
-      member("compared", c.compared == Compared::All ? "all" : "graph"),
+      member("compared", to_text(c.compared)),
+      member("left_out",
+             object(member("edges", c.edges_left_out), member("vertices", c.vertices_left_out))),
       member("matched",
              object(member("vertices", c.matched_vertices), member("edges", c.matched_edges),
                     member("faces", c.matched_faces))));

@@ -10,6 +10,25 @@
 
 namespace plumbline {
 
+namespace {
+
+/// What of the drawing the answer says nothing of, and was not compared.
+std::string claims_text(const Comparison& c) {
+  if (c.compared == Compared::Graph) return " (vertices and edges alone: no faces)";
+  if (c.compared == Compared::SomeFaces) {
+    return fmt::format(
+        " ({} of the result's faces are faces of the drawing; nothing else is compared)",
+        c.matched_faces);
+  }
+  if (c.compared == Compared::All || c.edges_left_out + c.vertices_left_out == 0) return {};
+  return fmt::format(
+      " (the result has polygons alone: {} edge{} with the same face on both sides, dangling ones "
+      "or bridges, {} not compared)",
+      c.edges_left_out, c.edges_left_out == 1 ? "" : "s", c.edges_left_out == 1 ? "is" : "are");
+}
+
+}  // namespace
+
 std::string verdict(const Check& check) {
   const std::size_t count = check.comparison.findings.size(), own = check.own_findings();
   const std::size_t groups = check.groups.size();
@@ -23,7 +42,7 @@ std::string verdict(const Check& check) {
     text = "disagree: " + findings;
     if (own > 0) text += fmt::format(", {} of them the file's own drift", own);
   }
-  if (check.comparison.compared == Compared::Graph) text += " (vertices and edges alone: no faces)";
+  text += claims_text(check.comparison);
   const std::size_t lost = count_lost(check.input.rejected);
   if (lost > 0) text += fmt::format("; not all was read: {} rejected look like geometry", lost);
   return text;
