@@ -31,7 +31,8 @@ room(round error geometry complex arrange)
 room(features error polygons round)
 room(compare error geometry complex arrange)
 room(ladder error number geometry complex)
-room(diagnose error number geometry complex)
+room(rings geometry complex)
+room(diagnose error number geometry complex rings)
 room(engine error number complex arrange compare)
 room(check error geometry arrange compare ladder engine)
 room(file error detail)
@@ -44,7 +45,7 @@ room(output error number geometry structure complex round features diagnose chec
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error read chains arrange round check engines/lar/stages engines/inters/stages engines/files)
-room(plumbline error number geometry structure read complex polygons arrange round features compare ladder diagnose engine check
+room(plumbline error number geometry structure read complex polygons arrange round features compare ladder rings diagnose engine check
      engines/lar/stages engines/inters/stages engines/files output engines/lar/show engines/inters/show
      pipeline)
 room(cli error detail read arrange round engine engines/files output engines/lar/show pipeline plumbline)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plumbline/detail/iterator.hpp"
+#include "plumbline/detail/ring.hpp"
 #include "plumbline/detail/source.hpp"
 #include "plumbline/number.hpp"
 
@@ -154,6 +155,8 @@ class SegmentSet {
   /// Per segment how far its points may lie from where they were meant to be, as numbers of twelve
   /// digits and more are what programs print (`evaluate`); empty: nowhere.
   std::vector<double> rounding;
+  /// Of polygons and of closed lines without curves, ascending, as far as readers know them.
+  std::vector<Ring> rings;
   std::vector<Point> points;           ///< isolated points, for API users; no reader makes them
   std::vector<SourceId> point_source;  ///< per point
   std::vector<Rejected> rejected;

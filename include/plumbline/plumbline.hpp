@@ -23,5 +23,6 @@
 #include "plumbline/pipeline.hpp"
 #include "plumbline/polygons.hpp"
 #include "plumbline/read.hpp"
+#include "plumbline/rings.hpp"
 #include "plumbline/round.hpp"
 #include "plumbline/structure.hpp"

@@ -129,26 +129,37 @@ void FeatureTable::add_lines(std::string_view element, const Place& place, const
     if (is_kept(element, place, lines)) keep_lines(lines);
     return;
   }
-  add_parts(element, place, lines, {});
+  add_parts(element, place, lines, {}, false);
 }
 
-/// Adds a part up to each end, an index into `lines.ends`, and one for each line behind the last.
+/// Adds a part up to each end, an index into `lines.ends`, and one for each line behind the last,
+/// as rings or as lines.
 void FeatureTable::add_parts(std::string_view element, const Place& place, const Polylines& lines,
-                             const std::vector<std::size_t>& part_ends) {
+                             const std::vector<std::size_t>& part_ends, bool are_rings) {
   const std::size_t table_index = table(element);
   Model& model = open_[table_index].model;
+  const bool is_one_polygon = element == "MultiPolygon";
   std::size_t single_points = 0, begin = 0, line = 0;
   for (std::size_t part = 0; line < lines.ends.size(); ++part) {
     ++part_count_;
     const std::size_t before = model.segments.size();
+    RingRole role = part >= part_ends.size()     ? RingRole::Line
+                    : part > 0 && is_one_polygon ? RingRole::Part
+                                                 : RingRole::Polygon;
     for (const std::size_t end = part < part_ends.size() ? part_ends[part] : line + 1; line < end;
          ++line) {
       const std::size_t line_end = lines.ends[line];
+      const std::size_t first = model.segments.size();
       if (line_end > begin) budget_.spend(line_end - begin - 1);
       for (std::size_t i = begin; i + 1 < line_end; ++i) {
         model.segments.push_back(lines.points[i], lines.points[i + 1]);
       }
       if (line_end - begin == 1) ++single_points;
+      if (are_rings && line_end - begin > 1) {
+        model.rings.push_back({static_cast<std::uint32_t>(first),
+                               static_cast<std::uint32_t>(line_end - begin - 1), role});
+      }
+      if (are_rings && role != RingRole::Line) role = RingRole::Hole;
       begin = line_end;
     }
     if (model.segments.size() == before) continue;
@@ -175,7 +186,7 @@ void FeatureTable::add_rings(std::string_view element, const Place& place, const
                      : "ring is not closed; it is drawn as it is",
            count_of(open_rings, "ring"));
   }
-  if (geometries_ == nullptr) return add_parts(element, place, rings, rings.polygon_ends);
+  if (geometries_ == nullptr) return add_parts(element, place, rings, rings.polygon_ends, true);
   if (!are_faces) return add_lines(element, place, rings);
   if (is_kept(element, place, rings)) keep_polygons(rings);
 }

@@ -92,7 +92,7 @@ class FeatureTable {
 
   std::size_t table(std::string_view element);
   void add_parts(std::string_view element, const Place& place, const Polylines& lines,
-                 const std::vector<std::size_t>& part_ends);
+                 const std::vector<std::size_t>& part_ends, bool are_rings);
   bool is_kept(std::string_view element, const Place& place, const Polylines& lines);
   void keep_lines(const Polylines& lines);
   void keep_polygons(const Polylines& rings);

@@ -74,6 +74,17 @@ class Check {
     throw Error(ErrorCode::BadInput, "a Model whose rows have other numbers of segments or ids");
   }
 
+  static void check_rings(const Model& model) {
+    std::size_t end = 0;
+    for (const Ring& ring : model.rings) {
+      if (ring.first < end || ring.count > model.segments.size() ||
+          ring.first > model.segments.size() - ring.count) {
+        throw Error(ErrorCode::BadInput, "a Model whose rings are not among its segments in turn");
+      }
+      end = std::size_t{ring.first} + ring.count;
+    }
+  }
+
   void look_at(const Struct::Item& item, StructId holder, std::size_t index) {
     if (const auto* id = std::get_if<StructId>(&item)) {
       const bool is_done = *id < states_.size() && states_[*id] == State::Done;
@@ -85,6 +96,7 @@ class Check {
       agree("rotation", 2, holder, index);
     } else if (const auto* model = std::get_if<Model>(&item)) {
       check_rows(*model);
+      check_rings(*model);
       agree("model", 2, holder, index);
       count(holder, 1);
     } else {

@@ -94,6 +94,7 @@ class Evaluation {
       const std::size_t first = result_.segments.size();
       add(model.segments, 0, model.segments.size(), add_source(source), map);
       const bool is_whole = result_.segments.size() == first + model.segments.size();
+      add_rings(model);
       if (is_whole) add_curves(model, first);
       return;
     }
@@ -107,14 +108,17 @@ class Evaluation {
       add(model.segments, begin, row.segment_count, result_.add_source(source), map);
       begin += row.segment_count;
     }
+    add_rings(model);
   }
 
   void add(const SegmentList& segments, std::size_t begin, std::size_t count, SourceId source,
            const PlaneMap& map) {
     segments_.spend(count);
+    if (begin == 0) places_.clear();
     for (std::size_t i = begin; i < begin + count; ++i) {
       const auto numbers = segments.numbers(i);
       const std::size_t before = result_.segments.size();
+      places_.push_back(static_cast<std::uint32_t>(before));
       NumberPoint a = map({numbers[0], numbers[1]});
       NumberPoint b = map({numbers[2], numbers[3]});
       budget_.spend(words(a) + words(b));
@@ -122,6 +126,25 @@ class Evaluation {
       if (result_.segments.size() == before) continue;
       note_rounding(
           std::max(rounding_->of(numbers[0], numbers[1]), rounding_->of(numbers[2], numbers[3])));
+    }
+  }
+
+  /// The rings of the model whose segments have just been added: of what is left of them. One that
+  /// has lost more than segments without length is none.
+  void add_rings(const Model& model) {
+    places_.push_back(static_cast<std::uint32_t>(result_.segments.size()));
+    const auto is_broken = [&](std::uint32_t i) {
+      const auto from = result_.segments.numbers(i - 1), to = result_.segments.numbers(i);
+      return from[2] != to[0] || from[3] != to[1];
+    };
+    for (const Ring& ring : model.rings) {
+      const std::uint32_t first = places_[ring.first], end = places_[ring.first + ring.count];
+      const Ring placed{first, end - first, ring.role};
+      bool is_whole = placed.count > 0;
+      if (placed.count != ring.count) {
+        for (std::uint32_t i = first + 1; i < end; ++i) is_whole = is_whole && !is_broken(i);
+      }
+      if (is_whole) result_.rings.push_back(placed);
     }
   }
 
@@ -199,7 +222,8 @@ class Evaluation {
   Traversal traversal_;
   SegmentSet result_;
   std::unordered_map<const LarModel*, ModelEdges> edges_;
-  std::vector<NumberPoint> images_;  ///< of the current LarModel's vertices
+  std::vector<NumberPoint> images_;    ///< of the current LarModel's vertices
+  std::vector<std::uint32_t> places_;  ///< of the current Model's segments in the result
   std::vector<Curve> curves_;
   std::optional<MapRounding> rounding_;  ///< of the current model
   WordBudget budget_;

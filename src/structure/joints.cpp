@@ -291,9 +291,11 @@ SegmentSet with_joints(SegmentSet set, const Joints& joints) {
   std::vector<double> rounding;
   segments.reserve(set.segments.size() + joints.joints.size());
   sources.reserve(set.segments.size() + joints.joints.size());
+  std::vector<std::uint32_t> places;  // of the segments that there were
   auto joint = joints.joints.begin();
   for (std::size_t s = 0; s < set.segments.size(); ++s) {
     const auto n = set.segments.numbers(s);
+    places.push_back(static_cast<std::uint32_t>(segments.size()));
     NumberPoint from{n[0], n[1]}, to{n[2], n[3]};
     std::vector<NumberPoint> further;
     for (; joint != joints.joints.end() && joint->chord == s; ++joint) {
@@ -313,6 +315,7 @@ SegmentSet with_joints(SegmentSet set, const Joints& joints) {
       from = std::move(next);
     }
   }
+  for (Ring& ring : set.rings) ring.first = places[ring.first];  // rings have no curves
   set.segments = std::move(segments);
   set.segment_source = std::move(sources);
   set.rounding = std::move(rounding);

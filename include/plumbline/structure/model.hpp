@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumbline/detail/lists.hpp"
+#include "plumbline/detail/ring.hpp"
 #include "plumbline/structure/affine.hpp"
 #include "plumbline/structure/curve.hpp"
 
@@ -28,6 +29,7 @@ struct Model {
   std::vector<Row> rows = {};
   std::vector<std::string> row_ids = {};
   std::vector<Curve> curves = {};  ///< which segments are chords; only where there are no rows
+  std::vector<Ring> rings = {};    ///< which segments are rings, ascending
 
   friend bool operator==(const Model&, const Model&) = default;
 };

@@ -19,9 +19,18 @@ void mirror_x(Ellipse& ellipse) {
   for (Point* p : {&ellipse.centre, &ellipse.u, &ellipse.v}) p->x = -p->x;
 }
 
-void append_ring(SegmentList& segments, const std::vector<NumberPoint>& points) {
-  append_chain(segments, points);
-  if (!points.empty()) segments.push_back(points.back(), points.front());
+void append_ring(DrawnEntity& drawn, const std::vector<NumberPoint>& points) {
+  const std::size_t first = drawn.segments.size();
+  append_chain(drawn.segments, points);
+  if (!points.empty()) drawn.segments.push_back(points.back(), points.front());
+  end_ring(drawn, first);
+}
+
+void end_ring(DrawnEntity& drawn, std::size_t first) {
+  const std::size_t count = drawn.segments.size() - first;
+  if (count == 0) return;
+  drawn.rings.push_back(
+      {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), RingRole::Line});
 }
 
 }  // namespace plumbline::dxf

@@ -19,6 +19,7 @@ struct Substitution {
 struct DrawnEntity {
   SegmentList segments;
   std::vector<Curve> curves;  ///< which segments are chords
+  std::vector<Ring> rings;    ///< which segments are closed lines
   std::vector<Substitution> replaced;
   std::vector<Unusable> refused;  ///< parts that take no part
 };
@@ -29,7 +30,9 @@ void append_chain(SegmentList& segments, const std::vector<NumberPoint>& points)
 void append_curve(DrawnEntity& drawn, const std::vector<NumberPoint>& chords, Curve curve);
 /// The curve as it is seen from +z, given in coordinates for -z.
 void mirror_x(Ellipse& ellipse);
-/// Appends the segments of the closed polygon.
-void append_ring(SegmentList& segments, const std::vector<NumberPoint>& points);
+/// Appends the segments of the closed polygon, a ring.
+void append_ring(DrawnEntity& drawn, const std::vector<NumberPoint>& points);
+/// The segments from `first` on are a ring, if there are any.
+void end_ring(DrawnEntity& drawn, std::size_t first);
 
 }  // namespace plumbline::dxf

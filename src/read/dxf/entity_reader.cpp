@@ -153,7 +153,12 @@ void EntityReader::add_drawn(DrawnEntity drawn, const Source& source, std::size_
   if (has_height) in.tally.remark(at(), kHeightLeftOut);
   if (drawn.segments.empty()) return;
   if (!pen_.join_curves) drawn.curves.clear();
-  in.add(layer, Model{source, std::move(drawn.segments), {}, {}, std::move(drawn.curves)});
+  in.add(layer, Model{source,
+                      std::move(drawn.segments),
+                      {},
+                      {},
+                      std::move(drawn.curves),
+                      std::move(drawn.rings)});
 }
 
 }  // namespace plumbline::dxf

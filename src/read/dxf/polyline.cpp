@@ -166,6 +166,7 @@ DrawnEntity draw_polyline(const std::vector<Vertex>& vertices, bool closed, Plan
   if (closed && vertices.back().point != vertices.front().point) {
     draw(vertices.back(), vertices.front());
   }
+  if (closed && !has_arc) end_ring(drawn, 0);
   if (has_arc) drawn.replaced.push_back(by_chords("bulge", bound));
   return drawn;
 }

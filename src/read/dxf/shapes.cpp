@@ -71,6 +71,7 @@ DrawnEntity draw_face(const Entity& entity, Pen& pen) {
       drawn.segments.push_back(points[i], points[(i + 1) % points.size()]);
     }
   }
+  if (drawn.refused.empty()) end_ring(drawn, 0);
   return drawn;
 }
 
@@ -79,7 +80,7 @@ DrawnEntity draw_solid(const Entity& entity, Pen& /*pen*/) {
   if (points.size() == 4) std::swap(points[2], points[3]);  // they come in the shape of a Z
   if (plane_of(entity) == Plane::Back) mirror_x(points);
   DrawnEntity drawn;
-  append_ring(drawn.segments, points);
+  append_ring(drawn, points);
   return drawn;
 }
 

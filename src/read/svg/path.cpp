@@ -236,6 +236,9 @@ Pieces parse_points(std::string_view points, bool closed, Numbers& numbers) {
     return pieces;
   }
   if (closed && first && !(last == *first)) pieces.segments.push_back(std::move(last), *first);
+  if (closed && !pieces.segments.empty()) {
+    pieces.rings.push_back({0, static_cast<std::uint32_t>(pieces.segments.size()), RingRole::Line});
+  }
   return pieces;
 }
 

@@ -13,7 +13,16 @@ Point exact_point(const NumberPoint& p) { return {p.x.rational(), p.y.rational()
 
 }  // namespace
 
-void SvgPen::move_to(NumberPoint point) { start_ = current_ = std::move(point); }
+void SvgPen::move_to(NumberPoint point) {
+  start_ = current_ = std::move(point);
+  subpath_ = pieces_.segments.size();
+  is_ring_ = true;
+}
+
+void SvgPen::jump_to(NumberPoint point) {
+  current_ = std::move(point);
+  is_ring_ = false;
+}
 
 void SvgPen::line_to(NumberPoint end) {
   pieces_.segments.push_back(std::move(current_), end);
@@ -48,6 +57,7 @@ void SvgPen::draw(const EllipticArc& arc, const std::string& what, double bound)
 }
 
 void SvgPen::draw(const Chords& chords, const std::string& what) {
+  is_ring_ = false;
   for (std::size_t i = 1; i < chords.points.size(); ++i) line_to(chords.points[i]);
   if (chords.bound == 0) return;
   const auto is_same = [&what](const Tally& tally) { return tally.what == what; };
@@ -60,6 +70,13 @@ void SvgPen::draw(const Chords& chords, const std::string& what) {
 
 void SvgPen::close() {
   if (!(current_ == start_)) line_to(start_);
+  const std::size_t end = pieces_.segments.size();
+  if (is_ring_ && end > subpath_) {
+    pieces_.rings.push_back({static_cast<std::uint32_t>(subpath_),
+                             static_cast<std::uint32_t>(end - subpath_), RingRole::Line});
+  }
+  subpath_ = end;
+  is_ring_ = true;
 }
 
 Pieces SvgPen::finish() && {

@@ -17,6 +17,7 @@ namespace plumbline {
 struct Pieces {
   SegmentList segments;
   std::vector<Curve> curves;  ///< parts of ellipses, which segments replace
+  std::vector<Ring> rings;    ///< subpaths that are closed, without curves
   std::vector<Unusable> refused;
   std::vector<Replacement> replaced;
 };
@@ -33,7 +34,7 @@ class SvgPen {
   void move_to(NumberPoint point);
   void line_to(NumberPoint end);
   /// Goes there within the subpath, without drawing.
-  void jump_to(NumberPoint point) { current_ = std::move(point); }
+  void jump_to(NumberPoint point);
   /// The Bezier curve from here over the control points to the last of them. Throws: Unusable, and
   /// draws nothing.
   void curve_to(std::span<const NumberPoint> controls, const std::string& what);
@@ -59,6 +60,8 @@ class SvgPen {
   double bound_;
   Pieces pieces_;
   NumberPoint current_, start_;
+  std::size_t subpath_ = 0;  ///< where its segments begin
+  bool is_ring_ = true;      ///< whether it is made of lines that hang together
   std::vector<Tally> tallies_;
 };
 

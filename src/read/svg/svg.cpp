@@ -259,7 +259,8 @@ class SvgReader {
     if (transform && !pieces.segments.empty()) record(element, transform->replaced);
     record(element, pieces.replaced);
     if (!options_.join_curves) pieces.curves.clear();
-    Model model{source_of(element), std::move(pieces.segments), {}, {}, std::move(pieces.curves)};
+    Model model{source_of(element),       std::move(pieces.segments), {}, {},
+                std::move(pieces.curves), std::move(pieces.rings)};
     if (!transform && !is_referenced) {
       if (!model.segments.empty()) {
         structure_.structs[frames_.back().id].body.emplace_back(std::move(model));

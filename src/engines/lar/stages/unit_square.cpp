@@ -46,6 +46,7 @@ SegmentSet to_unit_square(const SegmentSet& input) {
     result.rounding.resize(result.segments.size());
     result.rounding.back() = input.rounding[i] / nearest_double(side);
   }
+  if (result.segments.size() == input.segments.size()) result.rings = input.rings;
   for (std::size_t i = 0; i < input.points.size(); ++i) {
     result.add_point(mapped(input.points[i]), input.point_source[i]);
   }
