@@ -178,13 +178,17 @@ expect "the unit square is for drawings with extent, as published" 2 'width and 
 expect "and for all drawings, as repaired" 0 '2 vertices, 1 edges' "$plumbline" lar flat.lines --unit-square
 rm -f t.json p.svg empty.lines flat.lines
 printf '0,0,10,0\n10,0,10,10\n10,10,0,10\n0,10,0,0\n5,0,5,9.75\n' >short.lines
-expect "a diagnosis names defects, sizes and elements" 0 'undershoot +1.*a line ends 0.25 short of another one.*short.lines:5' "$plumbline" info short.lines --diagnose --within 1/4 -o d.json --picture d.svg
-expect "the search distance decides" 0 'undershoot +0' "$plumbline" info short.lines --diagnose --within 0.2
+expect "a diagnosis names defects, sizes and elements" 0 '1 undershoot.*a line ends 0.25 short of another one.*short.lines:5' "$plumbline" info short.lines --diagnose --within 1/4 -o d.json --picture d.svg
+expect "the search distance decides" 0 '1 dangle' "$plumbline" info short.lines --diagnose --within 0.2
+expect "as many of each kind as asked for" 0 'undershoot: 1.*short.lines:3' "$plumbline" info short.lines --diagnose --within 1/4 --list 1
+expect "the defects as a layer" 0 '^$|matters' "$plumbline" info short.lines --diagnose --within 1/4 --findings d.geojson
+expect "which has their ranks" 0 '"rank": 1' cat d.geojson
+expect "doors have two widths" 2 'LEAST..MOST.*3' "$plumbline" info short.lines --diagnose --doors 3
 expect "the diagnosis as JSON" 0 'plumbline diagnosis 1' cat d.json
 expect "a negative search distance is refused" 2 'negative.*-1' "$plumbline" info short.lines --diagnose --within -1
 expect "a search distance is for the diagnosis" 2 'diagnose' "$plumbline" info short.lines --within 1
 expect "a diagnosis does not overwrite its drawing" 2 'ends in .json' "$plumbline" info short.lines --diagnose -o short.lines
-rm -f d.json d.svg short.lines
+rm -f d.json d.svg d.geojson short.lines
 printf '0,0,3,1\n1,0.2,1,5\n' >cross.lines
 expect "nearest doubles are proven to form the same complex" 0 'rounded to nearest doubles: same incidences, proven; largest movement [0-9.]+e-17' "$plumbline" arrange cross.lines --safe -o s.json
 expect "the file says so" 0 '"same_incidences": true' grep same_incidences s.json

@@ -9,6 +9,7 @@
 #include "diagnose/roots.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/read.hpp"
 #include "plumbline/structure.hpp"
 #include "support/segments.hpp"
 
@@ -73,15 +74,52 @@ TEST_CASE("collinear segments that share more than a point overlap") {
 }
 
 TEST_CASE("two lines that end near each other leave a gap") {
-  // The ring does not close: (0, 0) and (0.3, 0.4) are 1/2 apart.
-  const std::string ring = "0 0 10 0  10 0 10 10  10 10 0 10  0 10 0.3 0.4";
-  CHECK(list(ring, "0.5") == "gap at 0.15 0.2 squared 0.25 tolerance 0.5 of 1 4\n");
-  CHECK(list(ring, "0.499") ==
-        "undershoot at 0.3 0.4 squared 0.16 tolerance 0.4 of 1 4\n"
-        "dangle at 0 0 size " +
-            shortest_text(30 + std::hypot(0.3, 9.6)) + " of 1 2 3 4\n");
+  // The ring does not close: (0, 0) and (-0.3, 0.4) are 1/2 apart.
+  const std::string ring = "0 0 10 0  10 0 10 10  10 10 0 10  0 10 -0.3 0.4";
+  CHECK(list(ring, "0.5") == "gap at -0.15 0.2 squared 0.25 tolerance 0.5 of 1 4\n");
   // The ends of a double line run side by side: no gap.
   CHECK(list(kRoom + "2 0 2 5  2.1 0 2.1 5", "0.2").find("gap") == std::string::npos);
+}
+
+TEST_CASE("of two ends near each other one may be short and the other one long") {
+  // A corner at (10, 0).
+  CHECK(list("0 0 10.03 0  10 0.02 10 8  10 8 0 8  0 8 0 0", "0.05") ==
+        "undershoot at 10 0.02 squared 0.0004 tolerance 0.02 of 1 2\n"
+        "overshoot at 10.03 0 squared 0.0009 tolerance 0.030000000000000002 of 1 2\n");
+  const SegmentSet room = segments("0 0 10.03 0  10 0.02 10 8  10 8 0 8  0 8 0 0");
+  const Diagnosis result = diagnosis(room, "0.05");
+  CHECK(result.defects.at(0).message ==
+        "a line ends 0.02 short of another one, which leaves a face of area 80 open");
+  CHECK(result.defects.at(1).message ==
+        "a line goes 0.03 beyond where one that is cut short would meet it");
+  // On one line, they leave a gap, wherever lines cross near it.
+  CHECK(list("0 0 5 0  5.06 0 10 0  4.9 -9 4.9 9", "0.07").starts_with("gap at 5.03 0"));
+}
+
+TEST_CASE("ends that lead to one point are one gap") {
+  const std::string box = rectangle(0, 0, 10, 8);
+  CHECK(list(box + "0 4 4.97 4  5.03 4 10 4  5 0 5 3.97  5 4.03 5 8", "0.1") ==
+        "gap at 5 4 squared 0.0009 tolerance 0.030000000000000002 of 5 6 7 8\n");
+  CHECK(list(box + "0 4 4.97 4  5.031 4 10 4  5 0 5 3.96", "0.1") ==
+        "gap at 5 4 squared 0.0016 tolerance 0.04 of 5 6 7\n");
+  // Two combs that face each other: as many gaps as there are teeth.
+  std::string combs;
+  for (int i = 0; i < 5; ++i) {
+    const std::string y = std::to_string(i) + ".5 ";
+    combs += "0 " + y + "4.5 " + y + "5.5 " + y + "10 " + y;
+  }
+  CHECK(diagnosis(segments(rectangle(0, 0, 10, 8) + combs), "2").count(DefectKind::Gap) == 5);
+}
+
+TEST_CASE("gaps that leave a face open come first, the largest first") {
+  // Of the rooms 2 x 10 and 8 x 10 the lesser one; the stub parts nothing.
+  const Diagnosis result =
+      diagnosis(segments(kRoom + "2 0 2 9.5  2 5 9.6 5  20 20 30 20  25 21 25 20.4"), "0.5");
+  REQUIRE(result.count(DefectKind::Undershoot) == 3);
+  CHECK(result.defects.at(0).open_area.value_or(0) == Approx(40));
+  CHECK(result.defects.at(1).open_area.value_or(0) == Approx(20));
+  CHECK_FALSE(result.defects.at(2).open_area);
+  CHECK(by_effect(result) == std::vector<std::size_t>{0, 1, 2, 3, 4});
 }
 
 TEST_CASE("a line that ends short of another one is an undershoot") {
@@ -164,19 +202,84 @@ TEST_CASE("a bridge is the only connection of two closed parts") {
 TEST_CASE("a thin long face is a sliver, a small square none") {
   // 10 x 0.25: area 5/2, perimeter 20.5.
   CHECK(list(kRoom + "0 9.75 10 9.75", "0.25") ==
-        "sliver at 5 9.875 area 2.5 size " + shortest_text(5 / 20.5) +
-            " of 2 3 4 5\n"
-            "short edge at 0 9.875 squared 0.0625 tolerance 0.25 of 4\n"
-            "short edge at 10 9.875 squared 0.0625 tolerance 0.25 of 2\n");
+        "sliver at 5 9.875 area 2.5 size " + shortest_text(5 / 20.5) + " of 2 3 4 5\n");
   CHECK(list(rectangle(0, 0, 1, 1) + rectangle(5, 5, 95, 95), "2") == "");
   // The ratio of sides w + 1 / w + 2 = 10 is reached at w = 4 + sqrt(15) = 7.87.
   CHECK(list("0 0 787 0  787 0 787 100  787 100 0 100  0 100 0 0", "90") == "");
   CHECK(list("0 0 788 0  788 0 788 100  788 100 0 100  0 100 0 0", "90").substr(0, 6) == "sliver");
 }
 
-TEST_CASE("an edge shorter than the distance is short unless it continues a fine line") {
-  CHECK(list(kRoom + "5 0 5 10  5.5 0 5.5 10", "0.5").find("short edge at 5.25 0 squared 0.25") !=
+TEST_CASE("a piece of a line shorter than the distance is a short edge, a drawn side is none") {
+  CHECK(list(kRoom + "5 0 5 10  5.5 0 7 10", "0.5").find("short edge at 5.25 0 squared 0.25") !=
         std::string::npos);
+  // The end of a wall.
+  CHECK(list(kRoom + "5 0 5 10  5.5 0 5.5 10", "0.5").find("short edge") == std::string::npos);
+  // A niche 0.6 x 0.05 is a detail; the gap of 0.04 is none.
+  const SegmentSet niche = segments(
+      "0 0 4 0  4 0 4 -0.05  4 -0.05 4.6 -0.05  4.6 -0.05 4.6 0  4.6 0 9.96 0  10 0 10 8"
+      "  10 8 0 8  0 8 0 0");
+  const Diagnosis result = diagnosis(niche, "0.06");
+  CHECK(list(result) == "gap at 9.98 0 squared 0.0016 tolerance 0.04 of 5 6\n");
+  CHECK(result.squared_detail == Rational(1, 400));
+  REQUIRE(result.tolerances.size() == 1);
+  CHECK(result.tolerances[0].spares_detail);
+}
+
+TEST_CASE("what programs add to decimals is no detail") {
+  const Diagnosis result =
+      diagnosis(segments("0 0 500.00000000000006 0  500 0 500 300  500 300 0 300  0 300 0 0  "
+                         "250 0 250 300.0000000000001"),
+                "1");
+  CHECK(result.squared_detail == Rational(250 * 250));
+  CHECK(result.tolerances.size() == 1);
+}
+
+TEST_CASE("a spike has its name at the corner that makes it") {
+  // The corner (4, 0.001) of the upper triangle should lie on the lower one's side.
+  CHECK(list("0 0 10 0  10 0 5 -5  5 -5 0 0  0 0 4 0.001  4 0.001 2 6  2 6 0 0", "0.01") ==
+        "near-miss at 4 0.001 squared 0.000001 tolerance 0.001 of 1 4 5\n");
+}
+
+TEST_CASE("what neighbours draw as closed shapes is drawn once by each") {
+  const auto svg = [](const std::string& shapes) {
+    return evaluate(read_svg("<svg xmlns='http://www.w3.org/2000/svg'>" + shapes + "</svg>", "a"));
+  };
+  const std::string grid =
+      "<rect width='4' height='4'/><rect x='4' width='4' height='4'/>"
+      "<rect y='4' width='8' height='4'/>";
+  const SegmentSet neighbours = svg(grid);
+  CHECK(list(diagnosis(neighbours, "0.01")) == "");
+  CHECK(diagnosis(neighbours, "0.01").shared_sides == 3);
+  CHECK(repetitions(neighbours, arrange(neighbours)).duplicates == 0);
+  // The same shape twice, a line on a side, and shapes that overlap.
+  CHECK(diagnosis(svg(grid + "<rect width='4' height='4'/>"), "0").count(DefectKind::Duplicate) ==
+        4);
+  CHECK(diagnosis(svg(grid + "<path d='M4 0V4'/>"), "0").count(DefectKind::Duplicate) == 1);
+  CHECK(
+      diagnosis(svg(grid + "<rect x='1' width='2' height='4'/>"), "0").count(DefectKind::Overlap) ==
+      2);
+}
+
+TEST_CASE("openings as wide as doors are named, not counted") {
+  const auto openings = [](const std::string& drawing, const std::optional<Range>& doors = {}) {
+    const SegmentSet set = segments(drawing);
+    std::string text;
+    for (const Opening& o : diagnose(set, arrange(set), {std::nullopt, 1000, doors}).openings) {
+      text += to_text(o.where) + " squared " + exact_text(o.squared_width) + "\n";
+    }
+    return text;
+  };
+  const std::string box = rectangle(0, 0, 12, 6);
+  const std::string lines =
+      box + "6 0 6 2.5  6 3.4 6 6  6.6 3 8.5 3  9 0 9 1.5  9 4.5 9 6";  // a screen, and 3 wide
+  CHECK(openings(lines) == "6 2.95 squared 0.81\n");
+  CHECK(openings(lines, Range{1, 3}) == "9 3 squared 9\n");
+  CHECK(openings(lines + "  5 3 7 3") == "");
+  const std::string faces = box +
+                            "5.9 0 6.1 0  6.1 0 6.1 2.5  6.1 2.5 5.9 2.5  5.9 2.5 5.9 0  "
+                            "5.9 3.4 6.1 3.4  6.1 3.4 6.1 6  6.1 6 5.9 6  5.9 6 5.9 3.4";
+  CHECK(openings(faces) == "6 2.95 squared 0.81\n");
+  CHECK(openings(faces + "  5 3 7 3") == "");
 }
 
 TEST_CASE("lines that cross or meet at a tiny angle are nearly parallel, once a crossing") {

@@ -1,6 +1,7 @@
 #include <rapidjson/document.h>
 #include <rapidjson/schema.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
@@ -56,15 +57,23 @@ TEST_CASE("the JSON fits its schema, which refuses what is no diagnosis") {
   }
 }
 
-TEST_CASE("the text counts all kinds, then lists each with its elements") {
+TEST_CASE("the text counts what there is, tells what matters most, then lists each kind") {
   const Example example;
   const std::string text = to_text(example.diagnosis(), example.input, 1);
   CHECK(text.substr(0, text.find('\n')) == "4 defects; near means within 0.25; 3 loose ends");
-  CHECK(text.find("  duplicate              1\n") != std::string::npos);
-  CHECK(text.find("  sliver                 0\n") != std::string::npos);
-  CHECK(text.find("\nundershoot: 1\n"
-                  "     2. at (5, 9.75): a line ends 0.25 short of another one\n"
-                  "        text:3:1 text\n        text:5:1 text\n") != std::string::npos);
+  CHECK(text.find(
+            "\n  1 duplicate, 1 undershoot, 2 dangles\n"
+            "what matters most\n"
+            "     2. at (5, 9.75): a line ends 0.25 short of another one, which leaves a face of "
+            "area 50 open\n"
+            "        text:3:1 text; text:5:1 text\n"
+            "     1. at (5, 0): 2 equal segments of length 10\n") != std::string::npos);
+  CHECK(to_text(example.diagnosis(), example.input).find("\nundershoot: 1\n") == std::string::npos);
+  CHECK(text.find(
+            "\nundershoot: 1\n"
+            "     2. at (5, 9.75): a line ends 0.25 short of another one, which leaves a face of "
+            "area 50 open\n"
+            "        text:3:1 text\n        text:5:1 text\n") != std::string::npos);
   CHECK(text.find("\ndangle: 2\n     3. at (12, 5): a line of length 2 has a loose end\n"
                   "        text:7:1 text\n      ... and 1 more\n") != std::string::npos);
   CHECK(text.find("  0                  1\n  0.25               2\n") != std::string::npos);
@@ -110,13 +119,43 @@ TEST_CASE("the picture has a panel for each kind, with what was left out") {
 
 TEST_CASE("places have the drawing's own digits, or as many as the search distance asks for") {
   const SegmentSet input = segments(
-      "377421.47 5705568.59 377431.47 5705568.59  377421.47000000003 5705568.6 377421.4 5705590"
+      "377421.47 5705568.59 377431.47 5705568.59  377421.47000000003 5705568.6 377421.5 5705590"
       "  377440 5705590 377445 5705590  377443 5705591 377447 5705588");
   const auto text = [&](const char* within) {
     const Rational distance = parse_decimal(within);
-    return to_text(diagnose(input, arrange(input), {distance}), input);
+    return to_text(diagnose(input, arrange(input), {distance}), input, 20);
   };
   CHECK(text("0.02").find("at (377421.47, 5705568.595): two lines end") != std::string::npos);
   CHECK(text("0.001").find("at (377447, 5705588)") != std::string::npos);
   CHECK(text("0").find("at (377421.47, 5705568.59): a line") != std::string::npos);
+}
+
+TEST_CASE("a layer of points has the defects with their ranks, then openings") {
+  SegmentSet input = segments(rectangle(0, 0, 12, 6) + "6 0 6 2.5  6 3.4 6 6  0 3 5.9 3");
+  input.crs = "EPSG:3857";
+  const Diagnosis diagnosis = diagnose(input, arrange(input), {Rational(1, 5)});
+  const rapidjson::Document json = parsed(to_geojson(diagnosis, input));
+  CHECK(std::string(json["crs"]["properties"]["name"].GetString()) == "EPSG:3857");
+  REQUIRE(json["features"].Size() == diagnosis.defects.size() + 1);
+  const auto& opening = json["features"][json["features"].Size() - 1];
+  CHECK(std::string(opening["properties"]["kind"].GetString()) == "opening");
+  CHECK(opening["properties"]["rank"].IsNull());
+  CHECK(opening["geometry"]["coordinates"][1].GetDouble() == 2.95);
+  for (rapidjson::SizeType i = 0; i < diagnosis.defects.size(); ++i) {
+    const auto& feature = json["features"][i];
+    CHECK(feature["id"].GetUint() == i + 1);
+    CHECK(feature["properties"]["rank"].GetUint() > 0);
+    CHECK(feature["properties"]["exact_x"].GetString() == exact_text(diagnosis.defects[i].where.x));
+  }
+}
+
+TEST_CASE("a screen of forty lines is enough, however much there is") {
+  std::string drawing = rectangle(0, 0, 1000, 1000);
+  for (int i = 1; i < 300; ++i) {
+    const std::string x = std::to_string(3 * i) + ' ', y = std::to_string(900 + i % 7);
+    drawing += x + "0 " + x + "999.5  " + x + "0 " + x + y + "  ";
+  }
+  const SegmentSet input = segments(drawing);
+  const std::string text = to_text(diagnose(input, arrange(input)), input);
+  CHECK(std::count(text.begin(), text.end(), '\n') <= 28);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plumbline/complex.hpp"
+#include "plumbline/rings.hpp"
 
 namespace plumbline {
 
@@ -19,11 +20,12 @@ enum class DefectKind {
   Duplicate,   ///< input segments with the same two ends, in either direction: one defect a group
   Overlap,     ///< two different collinear input segments that share more than a point
   Gap,         ///< two tips near each other; their lines do not run side by side there (within 30
-               ///< degrees) and are not one line as short as that
-  Undershoot,  ///< a tip near an edge, not near a tip of it, that is ahead: no more than 60 degrees
-               ///< off the line's direction
+               ///< degrees), are not one line as short as that, and neither is ahead of the other's
+               ///< edge; or several that lead to one point
+  Undershoot,  ///< a tip near an edge that is ahead: no more than 60 degrees off the line's
+               ///< direction; near a tip of it only where the line leads to the edge's inside
   Overshoot,   ///< a line no longer than the search distance from a vertex that one of its segments
-               ///< runs through to a tip
+               ///< runs through to a tip; or from where an undershoot leads to
   NearMiss,    ///< a vertex near an edge that no short way along the edges leads to, or near a
                ///< vertex; no tip of the kinds above
   Dangle,      ///< a line that ends at a tip, or at two
@@ -31,11 +33,13 @@ enum class DefectKind {
                ///< tree: the only connection of two closed parts ("cut edge")
   Sliver,      ///< a bounded face that is thin (mean width 2 area / perimeter within the search
                ///< distance) and long (4 pi area / perimeter^2 at most pi / 10: a rectangle 8 x 1)
-  ShortEdge,   ///< an edge no longer than the search distance that ends at no tip and is not part
-               ///< of a finely drawn line
-  NearlyParallel,  ///< two edges that leave a vertex at an angle of sine 1/100 or less
+  ShortEdge,   ///< an edge no longer than the search distance that ends at no tip, is not part
+               ///< of a finely drawn line, no whole segment, and closes no strip of parallel edges
+  NearlyParallel,  ///< two edges that leave a vertex at an angle of sine 1/100 or less, further
+                   ///< than the search distance from each other in the end
+  InvalidRing,     ///< what makes a polygon not valid, or a closed line not simple (`RingFault`)
 };
-inline constexpr std::size_t kDefectKinds = 11;
+inline constexpr std::size_t kDefectKinds = 12;
 /// "duplicate", "near-miss", "short edge", ...
 std::string to_text(DefectKind kind);
 
@@ -51,6 +55,10 @@ struct Defect {
   /// Its square, **exact**; none for a Sliver and for lengths of more than one edge.
   std::optional<Rational> squared_size;
   std::optional<Rational> area;  ///< of a Sliver, **exact**
+  /// Of Gap and Undershoot, where joining what is near makes one face into two: the area of the
+  /// lesser one, which is open there. **Rounded**.
+  std::optional<double> open_area;
+  std::optional<RingProblem> ring;  ///< of InvalidRing
   /// The least tolerance (a radius within which lines are snapped, or up to which they are removed)
   /// that mends it: the size, rounded up; 0 for repetitions. None where no tolerance within the
   /// search distance does.
@@ -61,11 +69,28 @@ struct Defect {
   std::vector<SegmentId> segments;  ///< the input segments involved, ascending
 };
 
+/// A way through a line, or through a wall drawn by both faces, that is as wide as a door. No
+/// defect.
+struct Opening {
+  Point where;                      ///< its middle
+  double width = 0;                 ///< **Rounded**
+  Rational squared_width;           ///< **exact**
+  std::vector<VertexId> vertices;   ///< two tips, or the four corners
+  std::vector<SegmentId> segments;  ///< those that end there, ascending
+};
+
+/// From one number to another, both included.
+struct Range {
+  Rational least, most;
+};
+
 /// How to diagnose.
 struct DiagnoseOptions {
   /// The search distance; by default the drawing's longer side / 1000. Requires: not negative.
   std::optional<Rational> within = std::nullopt;
   std::size_t most_listed = 1000;  ///< of each kind
+  /// How wide doors are; by default from the drawing's longer side / 100 to / 10.
+  std::optional<Range> doors = std::nullopt;
 };
 
 /// What a tolerance would do.
@@ -80,7 +105,9 @@ struct Diagnosis {
   std::vector<Defect> defects;  ///< by kind; most relevant first (see `diagnose`)
   /// Per kind, how many there are; at most `most_listed` of them are in `defects`.
   std::array<std::size_t, kDefectKinds> found{};
-  std::size_t tips = 0;  ///< vertices of degree 1
+  std::size_t tips = 0;           ///< vertices of degree 1
+  std::size_t shared_sides = 0;   ///< as in Repetitions
+  std::vector<Opening> openings;  ///< by their vertices
   /// The shortest edge that is part of no defect, squared; none without such an edge.
   std::optional<Rational> squared_detail;
   /// Of the proposed tolerances the largest one of each decade, and the largest that spares all
@@ -98,6 +125,9 @@ struct Repetitions {
   std::size_t duplicates =
       0;                     ///< segments with the two ends of an earlier one, in either direction
   std::size_t overlaps = 0;  ///< pairs of different collinear segments that share more than a point
+  /// Neither: pairs of segments that share more than a point as sides of two closed shapes that lie
+  /// on the two sides of it (`Ring`s), and nothing else is there.
+  std::size_t shared_sides = 0;
 };
 /// **Exact**. Requires: the complex is `arrange(input)`. Cost: O(n log n), and linear in the
 /// complex.
@@ -105,13 +135,18 @@ Repetitions repetitions(const SegmentSet& input, const ExactComplex& complex);
 
 /// The defects of a drawing, found in its exact arrangement. **Exact**, but for which near places a
 /// short way along the edges explains (**heuristic**: lengths of ways in doubles, at most four
-/// times the distance). Requires: the complex is `arrange(input)`. Order: by kind; repetitions and
-/// bridges longest first, all others smallest first (the smaller, the surer it is an accident);
-/// then by place. Does not depend on order, direction or repetition of the segments, SegmentIds
-/// aside. Cost: O(n log n) for a search distance not larger than the drawing's features; a larger
-/// one costs up to some thousand operations a vertex. Throws: Error BadInput for a negative search
-/// distance.
+/// times the distance). Requires: the complex is `arrange(input)`. Order: by kind; gaps and
+/// undershoots that leave most open first; repetitions and bridges longest first, all others
+/// smallest first (the smaller, the surer it is an accident); then by place. Does not depend on
+/// order, direction or repetition of the segments, SegmentIds aside. Cost: O(n log n) for a search
+/// distance not larger than the drawing's features; a larger one costs up to some thousand
+/// operations a vertex. Throws: Error BadInput for a negative search distance.
 Diagnosis diagnose(const SegmentSet& input, const ExactComplex& complex,
                    const DiagnoseOptions& options = {});
+
+/// Positions in Diagnosis::defects, those that matter most first: gaps and undershoots that leave a
+/// face open, the largest first; rings that are not valid; other ends that do not meet; what is
+/// near without meeting; what is drawn twice; what dangles.
+std::vector<std::size_t> by_effect(const Diagnosis& diagnosis);
 
 }  // namespace plumbline

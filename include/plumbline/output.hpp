@@ -108,12 +108,14 @@ std::string to_text(const ToleranceLadder& ladder, const ExactComplex& complex,
 /// which the float result is right in green.
 std::string to_svg(const ToleranceLadder& ladder, const std::optional<RightRadii>& radii = {});
 
-/// The diagnosis for a terminal: how many defects of each kind, then `limit` of each with their
-/// places and elements, then what tolerances would mend. Numbers are positions in
-/// Diagnosis::defects, from 1, here and below.
-std::string to_text(const Diagnosis& diagnosis, const SegmentSet& input, std::size_t limit = 20);
+/// The diagnosis for a terminal, on a screen: how many defects of each kind, those that matter
+/// most, openings, what tolerances would mend; then `limit` of each kind with their places and
+/// elements. Numbers are positions in Diagnosis::defects, from 1, here and below.
+std::string to_text(const Diagnosis& diagnosis, const SegmentSet& input, std::size_t limit = 0);
 /// The same as JSON, all that are listed.
 std::string to_json(const Diagnosis& diagnosis, const SegmentSet& input);
+/// Those, and then the openings, as a GeoJSON layer of points, as of a check.
+std::string to_geojson(const Diagnosis& diagnosis, const SegmentSet& input);
 /// A panel for each kind that was found: the drawing with the defects marked by their numbers.
 std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
                    const ExactComplex& complex);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/diagnose.hpp"
 #include "plumbline/engine.hpp"
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/pipeline.hpp"
@@ -80,6 +81,9 @@ struct InfoArguments : DrawingArguments {
   std::optional<std::string> plot;
   bool diagnose = false;
   std::optional<Rational> within;  ///< search distance of the diagnosis
+  std::optional<Range> doors;      ///< how wide openings are
+  std::size_t listed = 0;          ///< defects printed of each kind, after those that matter most
+  std::optional<std::string> findings;
   std::optional<std::string> output;
   std::optional<std::string> picture;
 };

@@ -190,7 +190,8 @@ CLI::App* add_command(CLI::App& app, InfoArguments& arguments) {
   CLI::Option* diagnose = command->add_flag(
       "--diagnose", arguments.diagnose,
       "Name the defects of the line work: duplicates, overlaps, gaps, undershoots, overshoots, "
-      "near-misses, dangles, bridges, slivers, short edges, nearly parallel edges");
+      "near-misses, dangles, bridges, slivers, short edges, nearly parallel edges, invalid rings; "
+      "and what is as wide as a door");
   command
       ->add_option_function<std::string>(
           "--within",
@@ -203,6 +204,35 @@ CLI::App* add_command(CLI::App& app, InfoArguments& arguments) {
           "drawing's longer side]")
       ->needs(diagnose)
       ->type_name("DISTANCE");
+  command
+      ->add_option_function<std::string>(
+          "--doors",
+          [&](const std::string& range) {
+            const std::size_t dots = range.find("..");
+            if (dots == std::string::npos) {
+              throw Error(ErrorCode::BadInput, "--doors needs LEAST..MOST", {}, range);
+            }
+            arguments.doors =
+                Range{parse_decimal(range.substr(0, dots)), parse_decimal(range.substr(dots + 2))};
+            if (sgn(arguments.doors->least) >= 0) return;
+            throw Error(ErrorCode::BadInput, "a door is not less than 0 wide", {}, range);
+          },
+          "What is as wide as a door, in drawing units [default: 0.01 to 0.1 x the drawing's "
+          "longer "
+          "side]")
+      ->needs(diagnose)
+      ->type_name("LEAST..MOST");
+  command
+      ->add_option("--list", arguments.listed,
+                   "Print also at most so many defects of each kind [default: 0]")
+      ->check(integer(0))
+      ->needs(diagnose)
+      ->type_name("N");
+  command
+      ->add_option("--findings", arguments.findings,
+                   "Write the defects as points to a GeoJSON file, for QGIS and OGR")
+      ->needs(diagnose)
+      ->type_name("FILE");
   command->add_option("-o,--output", arguments.output, "Write the diagnosis to a JSON file")
       ->needs(diagnose)
       ->type_name("FILE");

@@ -19,6 +19,11 @@ void print_repetitions(const Drawing& drawing) {
   fmt::print("duplicates   {} segments repeat an earlier one\n", found.duplicates);
   fmt::print("overlaps     {} pairs of different segments share more than a point\n",
              found.overlaps);
+  if (found.shared_sides > 0) {
+    fmt::print(
+        "neighbours   {} common sides of closed shapes are drawn by both, which is no defect\n",
+        found.shared_sides);
+  }
 }
 
 void print_extent(const ExactComplex& complex) {
@@ -60,21 +65,27 @@ void print_ladder(const ExactComplex& complex, const std::optional<std::string>&
 void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments) {
   const Diagnosis diagnosis = [&] {
     const Progress progress("diagnosing");
-    return diagnose(drawing.input, drawing.complex, {arguments.within});
+    DiagnoseOptions options;
+    options.within = arguments.within;
+    options.most_listed = std::max(options.most_listed, arguments.listed);
+    options.doors = arguments.doors;
+    return diagnose(drawing.input, drawing.complex, options);
   }();
   if (arguments.output) write_file(*arguments.output, to_json(diagnosis, drawing.input));
   if (arguments.picture) {
     write_file(*arguments.picture, to_svg(diagnosis, drawing.input, drawing.complex));
   }
-  fmt::print("\n{}", to_text(diagnosis, drawing.input));
+  if (arguments.findings) write_file(*arguments.findings, to_geojson(diagnosis, drawing.input));
+  fmt::print("\n{}", to_text(diagnosis, drawing.input, arguments.listed));
 }
 
 }  // namespace
 
 ExitCode run(const InfoArguments& arguments) {
-  check_outputs(
-      arguments.file,
-      {{arguments.plot, {".svg"}}, {arguments.output, {".json"}}, {arguments.picture, {".svg"}}});
+  check_outputs(arguments.file, {{arguments.plot, {".svg"}},
+                                 {arguments.output, {".json"}},
+                                 {arguments.picture, {".svg"}},
+                                 {arguments.findings, {".geojson", ".json"}}});
   const Drawing drawing = load(arguments);
   fmt::print("drawing      {}: {} elements, {}\n", line_text(arguments.file),
              drawing.input.sources.size(), input_line(drawing.input));

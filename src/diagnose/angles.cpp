@@ -1,5 +1,6 @@
 // Edges that leave a vertex in nearly the same direction: successive ones of a cycle, since those
-// are neighbours in the order around the vertex.
+// are neighbours in the order around the vertex. Where they end near each other, the end of the
+// shorter one has its name: a near-miss, or what a loose end is.
 
 #include <cmath>
 #include <set>
@@ -64,15 +65,15 @@ class Angles {
 
  private:
   void look_at(VertexId v, EdgeId e, EdgeId f) {
-    if (e == f || is_clearly_wide(graph_, v, e, f)) return;
-    const Direction u = from(graph_, v, e), w = from(graph_, v, f);
-    if (sgn(Rational(u.x * w.x + u.y * w.y)) < 0) return;
-    const Rational cross = u.x * w.y - u.y * w.x;
-    Rational squared = cross * cross / Rational((u.x * u.x + u.y * u.y) * (w.x * w.x + w.y * w.y));
-    if (squared > most_squared_sine()) return;
+    if (e == f) return;
+    std::optional<Rational> squared = nearly_parallel(graph_, v, e, f);
+    if (!squared) return;
+    const Rational depart = *squared * std::min(graph_.squared_length(e), graph_.squared_length(f));
+    if (depart <= subject_.squared_within) return;
     // Lines that cross have the angle on both sides.
+    const Direction u = from(graph_, v, e), w = from(graph_, v, f);
     if (!seen_.emplace(v, std::minmax(slope(u), slope(w))).second) return;
-    add(v, std::min(e, f), std::max(e, f), std::move(squared));
+    add(v, std::min(e, f), std::max(e, f), *std::move(squared));
   }
 
   void add(VertexId v, EdgeId e, EdgeId f, Rational squared_sine) {
@@ -80,9 +81,6 @@ class Angles {
     defect.kind = DefectKind::NearlyParallel;
     defect.where = graph_.complex().vertices[v];
     defect.size = nearest_sqrt(squared_sine);
-    const Rational depart =
-        squared_sine * std::min(graph_.squared_length(e), graph_.squared_length(f));
-    if (depart <= subject_.squared_within) defect.proposed_tolerance = root_rounded_up(depart);
     defect.squared_size = std::move(squared_sine);
     defect.vertices = {v};
     defect.edges = {e, f};
@@ -97,6 +95,16 @@ class Angles {
 };
 
 }  // namespace
+
+std::optional<Rational> nearly_parallel(const LineGraph& graph, VertexId v, EdgeId e, EdgeId f) {
+  if (is_clearly_wide(graph, v, e, f)) return std::nullopt;
+  const Direction u = from(graph, v, e), w = from(graph, v, f);
+  if (sgn(Rational(u.x * w.x + u.y * w.y)) < 0) return std::nullopt;
+  const Rational cross = u.x * w.y - u.y * w.x;
+  Rational squared = cross * cross / Rational((u.x * u.x + u.y * u.y) * (w.x * w.x + w.y * w.y));
+  if (squared > most_squared_sine()) return std::nullopt;
+  return squared;
+}
 
 Defects nearly_parallel_edges(const Subject& subject) { return Angles(subject).find(); }
 

@@ -1,29 +1,135 @@
-// Defects from classified tips.
+// Defects from classified tips. Three ends and more that lead to one point are one gap.
 
 #include <algorithm>
+#include <map>
 
+#include "diagnose/closings.hpp"
 #include "diagnose/steps.hpp"
+#include "geometry/union_find.hpp"
 
 namespace plumbline::diagnose_steps {
 namespace {
 
-Defect near_end(const Subject& subject, const Tip& tip) {
+Defect near_end(const Subject& subject, const Closings& closings, const Tip& tip) {
   const LineGraph& graph = subject.graph;
   Defect defect;
   defect.kind = tip.kind;
   defect.where = graph.complex().vertices[tip.vertex];
   defect.vertices = {tip.vertex};
   defect.edges = {graph.edges(tip.vertex)[0], tip.edge};
+  if (tip.kind == DefectKind::Overshoot) defect.vertices.push_back(tip.partner);
   if (tip.kind == DefectKind::Gap) {
     defect.where = midpoint(defect.where, graph.complex().vertices[tip.partner]);
     defect.vertices.push_back(tip.partner);
     std::sort(defect.vertices.begin(), defect.vertices.end());
     std::sort(defect.edges.begin(), defect.edges.end());
   }
+  if (tip.kind == DefectKind::Gap) defect.open_area = closings.between(tip.vertex, tip.partner);
+  if (tip.kind == DefectKind::Undershoot) {
+    defect.open_area = closings.to_edge(tip.vertex, tip.edge);
+  }
   defect.squared_size = tip.squared_distance;
   defect.size = nearest_sqrt(tip.squared_distance);
   defect.proposed_tolerance = root_rounded_up(tip.squared_distance);
   defect.segments = graph.segments(defect.edges);
+  return defect;
+}
+
+/// The tips of gaps that lead to one point, in groups of three and more.
+std::vector<std::vector<const Tip*>> junctions(const Tips& tips) {
+  UnionFind sets(tips.tips.size());
+  const auto index = [&](const Tip& tip) {
+    return static_cast<std::size_t>(&tip - tips.tips.data());
+  };
+  for (const Tip& tip : tips.tips) {
+    for (const VertexId v : tip.meets) {
+      const Tip& other = tips.at(v);
+      const bool is_mutual = std::binary_search(other.meets.begin(), other.meets.end(), tip.vertex);
+      if (is_mutual) sets.unite(index(tip), index(other));
+    }
+  }
+  std::map<std::size_t, std::vector<const Tip*>> groups;
+  for (const Tip& tip : tips.tips) {
+    if (!tip.meets.empty()) groups[sets.find(index(tip))].push_back(&tip);
+  }
+  std::vector<std::vector<const Tip*>> result;
+  for (auto& [set, group] : groups) {
+    if (group.size() > 2) result.push_back(std::move(group));
+  }
+  return result;
+}
+
+/// Of the points where two of the lines meet the one that is nearest to all ends.
+class MeetingPoint {
+ public:
+  MeetingPoint(const LineGraph& graph, const std::vector<const Tip*>& tips) {
+    constexpr std::size_t kMostTips = 32;  // of which pairs are looked at
+    for (const Tip* tip : tips) {
+      ends_.push_back(graph.complex().vertices[tip->vertex]);
+      from_.push_back(
+          graph.complex().vertices[graph.other_end(graph.edges(tip->vertex)[0], tip->vertex)]);
+    }
+    for (std::size_t i = 0; i < tips.size() && tips.size() <= kMostTips; ++i) {
+      for (std::size_t j = i + 1; j < tips.size(); ++j) look_at(i, j);
+    }
+    if (!is_found_) offer(mean());
+  }
+
+  const Point& point() const { return best_; }
+  const Rational& squared_distance() const { return squared_; }
+
+ private:
+  void look_at(std::size_t i, std::size_t j) {
+    const Point &a = ends_[i], &b = ends_[j];
+    const Rational ux = a.x - from_[i].x, uy = a.y - from_[i].y;
+    const Rational wx = b.x - from_[j].x, wy = b.y - from_[j].y;
+    const Rational turn = ux * wy - uy * wx;
+    if (sgn(turn) == 0) return;
+    const Rational along = Rational((b.x - a.x) * wy - (b.y - a.y) * wx) / turn;
+    offer({a.x + along * ux, a.y + along * uy});
+  }
+
+  Point mean() const {
+    Point sum;
+    for (const Point& end : ends_) sum = {sum.x + end.x, sum.y + end.y};
+    const auto count = static_cast<unsigned long>(ends_.size());
+    return {sum.x / count, sum.y / count};
+  }
+
+  void offer(Point p) {
+    Rational farthest = 0;
+    for (const Point& end : ends_)
+      farthest = std::max(farthest, plumbline::squared_distance(p, end));
+    if (is_found_ && (farthest > squared_ || (farthest == squared_ && !(p < best_)))) return;
+    is_found_ = true;
+    best_ = std::move(p);
+    squared_ = std::move(farthest);
+  }
+
+  std::vector<Point> ends_, from_;  ///< of the lines, from where to where
+  bool is_found_ = false;
+  Point best_;
+  Rational squared_;
+};
+
+Defect junction(const Subject& subject, const Closings& closings,
+                const std::vector<const Tip*>& tips) {
+  const MeetingPoint meeting(subject.graph, tips);
+  Defect defect;
+  defect.kind = DefectKind::Gap;
+  defect.where = meeting.point();
+  for (const Tip* tip : tips) {
+    defect.vertices.push_back(tip->vertex);
+    defect.edges.push_back(subject.graph.edges(tip->vertex)[0]);
+    // Of the faces that the lines would part, the largest.
+    const auto area = closings.between(tips.front()->vertex, tip->vertex);
+    if (tip != tips.front()) defect.open_area = std::max(defect.open_area, area);
+  }
+  std::sort(defect.edges.begin(), defect.edges.end());
+  defect.squared_size = meeting.squared_distance();
+  defect.size = nearest_sqrt(meeting.squared_distance());
+  defect.proposed_tolerance = root_rounded_up(meeting.squared_distance());
+  defect.segments = subject.graph.segments(defect.edges);
   return defect;
 }
 
@@ -60,14 +166,23 @@ bool is_told_by_other(const Subject& subject, const Tips& tips, const Tip& tip) 
 
 Defects dangling_lines(const Subject& subject, const Tips& tips) {
   Defects result(subject.most_listed);
+  if (tips.tips.empty()) return result;
+  const Closings closings(subject.graph);
+  std::vector<VertexId> joined;
+  for (const std::vector<const Tip*>& group : junctions(tips)) {
+    result.add(junction(subject, closings, group));
+    for (const Tip* tip : group) joined.push_back(tip->vertex);
+  }
+  std::sort(joined.begin(), joined.end());
   for (const Tip& tip : tips.tips) {
     const Chain line = subject.graph.chain(tip.vertex, subject.graph.edges(tip.vertex)[0]);
     if (subject.graph.is_within(line, subject.within)) {
       for (const EdgeId e : line.edges) result.add_accident(e);
     }
+    if (std::binary_search(joined.begin(), joined.end(), tip.vertex)) continue;
     if (is_told_by_other(subject, tips, tip)) continue;
-    if (tip.kind == DefectKind::Gap || tip.kind == DefectKind::Undershoot) {
-      result.add(near_end(subject, tip));
+    if (tip.kind != DefectKind::Dangle && tip.edge.valid()) {
+      result.add(near_end(subject, closings, tip));
       continue;
     }
     Defect defect = dangling(subject, tip, line);

@@ -14,6 +14,8 @@ bool is_longest_first(DefectKind kind) {
 /// The order of `diagnose`, within a kind. Total: two defects of a kind at the same place are of
 /// other cells.
 bool is_before(const Defect& a, const Defect& b) {
+  if (a.open_area != b.open_area) return a.open_area > b.open_area;
+  if (a.ring && b.ring && a.ring->fault != b.ring->fault) return a.ring->fault < b.ring->fault;
   if (a.size != b.size) return is_longest_first(a.kind) ? a.size > b.size : a.size < b.size;
   if (a.squared_size && b.squared_size && *a.squared_size != *b.squared_size) {
     return is_longest_first(a.kind) ? *a.squared_size > *b.squared_size

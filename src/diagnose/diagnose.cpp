@@ -18,8 +18,10 @@ using diagnose_steps::LineGraph;
 
 /// A search distance of the longer side / kDefaultPart: as float LAR's radius.
 constexpr int kDefaultPart = 1000;
+/// Doors are from the longer side / kMostDoors to / kLeastDoors wide.
+constexpr int kMostDoors = 100, kLeastDoors = 10;
 
-Rational default_distance(const ExactComplex& complex) {
+Rational longer_side(const ExactComplex& complex) {
   if (complex.vertices.empty()) return 0;
   Rational low = complex.vertices.front().y, high = low;
   for (const Point& p : complex.vertices) {
@@ -28,21 +30,23 @@ Rational default_distance(const ExactComplex& complex) {
   }
   const Rational width = complex.vertices.back().x - complex.vertices.front().x;
   const Rational height = high - low;
-  return std::max(width, height) / kDefaultPart;
+  return std::max(width, height);
 }
 
-/// The shortest edge that is not among the accidents, squared.
+/// The shortest edge that is not among the accidents, and longer than what rounding could make of
+/// nothing, squared.
 std::optional<Rational> shortest_detail(const LineGraph& graph,
                                         const std::vector<EdgeId>& accidents) {
   std::vector<bool> is_accident(graph.complex().edge_count());
   for (const EdgeId e : accidents) is_accident[e] = true;
+  const Rational slack = rational_from(graph.slack()), squared_slack = slack * slack;
   std::optional<Rational> shortest;
   double bound = 0;
   for (std::size_t i = 0; i < is_accident.size(); ++i) {
     const EdgeId e(i);
     if (is_accident[e] || (shortest && graph.approx_length(e) > bound)) continue;
     Rational squared = graph.squared_length(e);
-    if (shortest && *shortest <= squared) continue;
+    if ((shortest && *shortest <= squared) || squared <= squared_slack) continue;
     bound = graph.approx_length(e) + 2 * graph.slack();
     shortest = std::move(squared);
   }
@@ -55,9 +59,10 @@ int decade(double value) {
   return std::stoi(text.substr(text.find('e') + 1));
 }
 
-/// The largest of each decade, and the largest that spares all detail.
+/// The largest of each decade, those below the slack being one, and the largest that spares all
+/// detail.
 std::vector<ToleranceEffect> effects(const std::vector<double>& proposed,
-                                     const std::optional<Rational>& squared_detail) {
+                                     const std::optional<Rational>& squared_detail, double slack) {
   const auto spares = [&](double tolerance) {
     const Rational t = rational_from(tolerance);
     return !squared_detail || t * t < *squared_detail;
@@ -70,7 +75,8 @@ std::vector<ToleranceEffect> effects(const std::vector<double>& proposed,
     const bool is_last = mended == proposed.size();
     if (!is_last && proposed[mended] == tolerance) continue;
     const bool ends_decade =
-        is_last || tolerance == 0 || decade(tolerance) != decade(proposed[mended]);
+        is_last || tolerance == 0 ||
+        (proposed[mended] > slack && decade(tolerance) != decade(proposed[mended]));
     if (ends_decade || mended == end_of_sparing) {
       result.push_back({tolerance, mended, mended <= end_of_sparing});
     }
@@ -87,7 +93,8 @@ Diagnosis diagnose(const SegmentSet& input, const ExactComplex& complex,
                 exact_text(*options.within));
   }
   Diagnosis result;
-  result.within = options.within ? *options.within : default_distance(complex);
+  const Rational side = longer_side(complex);
+  result.within = options.within ? *options.within : Rational(side / kDefaultPart);
   const LineGraph graph(complex);
   const diagnose_steps::NearEdges near(graph, result.within);
   const diagnose_steps::Subject subject{
@@ -100,11 +107,15 @@ Diagnosis diagnose(const SegmentSet& input, const ExactComplex& complex,
   defects.append(diagnose_steps::slivers(subject));
   defects.append(diagnose_steps::short_edges(subject));
   defects.append(diagnose_steps::nearly_parallel_edges(subject));
+  defects.append(diagnose_steps::invalid_rings(subject));
+  const Range doors = options.doors.value_or(Range{side / kMostDoors, side / kLeastDoors});
+  result.openings = diagnose_steps::openings(subject, tips, doors);
+  result.shared_sides = repetitions(input, complex).shared_sides;
   result.found = defects.found();
   result.cut_short = defects.cut_short();
   result.tips = tips.tips.size();
   result.squared_detail = shortest_detail(graph, defects.accidents());
-  result.tolerances = effects(defects.proposed_tolerances(), result.squared_detail);
+  result.tolerances = effects(defects.proposed_tolerances(), result.squared_detail, graph.slack());
   result.defects = defects.take_listed();
   for (Defect& defect : result.defects) defect.message = diagnose_steps::describe(subject, defect);
   return result;

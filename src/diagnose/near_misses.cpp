@@ -59,12 +59,13 @@ class NearMisses {
     return graph_.is_tip(v) && tips_.at(v).kind != DefectKind::Dangle;
   }
 
-  /// Whether an edge joins v with an end of e: then they enclose a small angle, or are short.
+  /// Whether an edge joins v with an end of e and makes a corner there. It makes none where it
+  /// runs beside e: then it is v that should be on e.
   bool is_adjacent(VertexId v, EdgeId e) const {
     const Edge& edge = graph_.complex().edges[e];
     const auto joins = [&](EdgeId f) {
       const VertexId w = graph_.other_end(f, v);
-      return w == edge.tail || w == edge.head;
+      return (w == edge.tail || w == edge.head) && !nearly_parallel(graph_, w, e, f);
     };
     const auto edges = graph_.edges(v);
     return std::any_of(edges.begin(), edges.end(), joins);

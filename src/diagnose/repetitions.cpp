@@ -1,8 +1,10 @@
 // Duplicates: segments sorted by their ends. Overlaps: segments that share an edge are on one line,
-// where they are intervals; pairs are counted by sorting, listed up to a bound.
+// where they are intervals; pairs are counted by sorting, listed up to a bound. What two closed
+// shapes have in common as neighbours is neither.
 
 #include <algorithm>
 
+#include "diagnose/sides.hpp"
 #include "diagnose/steps.hpp"
 #include "geometry/union_find.hpp"
 
@@ -105,6 +107,26 @@ std::size_t pair_count(const std::vector<Ends>& ends, const std::vector<SegmentI
   return pairs;
 }
 
+/// Pairs of a group that are defects, and those that are sides of neighbours.
+struct PairCounts {
+  std::size_t defects = 0, shared = 0;
+};
+PairCounts pair_counts(const std::vector<Ends>& ends, const std::vector<SegmentId>& group,
+                       const std::vector<SideOf>& sides) {
+  std::vector<SegmentId> left, right, both;
+  for (const SegmentId s : group) {
+    if (sides[s].side == Side::Left) left.push_back(s);
+    if (sides[s].side == Side::Right) right.push_back(s);
+    if (sides[s].side != Side::Unknown) both.push_back(s);
+  }
+  PairCounts counts;
+  if (!left.empty() && !right.empty()) {
+    counts.shared = pair_count(ends, both) - pair_count(ends, left) - pair_count(ends, right);
+  }
+  counts.defects = pair_count(ends, group) - counts.shared;
+  return counts;
+}
+
 Defect repeated(DefectKind kind, const Point& a, const Point& b, std::vector<SegmentId> segments) {
   Defect defect;
   defect.kind = kind;
@@ -117,39 +139,95 @@ Defect repeated(DefectKind kind, const Point& a, const Point& b, std::vector<Seg
   return defect;
 }
 
-/// The first `count` pairs of the group.
-void list_pairs(const std::vector<Ends>& ends, const std::vector<SegmentId>& group,
-                std::size_t count, Defects& defects) {
+/// Those among the first `most` pairs of the group that are defects; how many these are.
+std::size_t list_pairs(const std::vector<Ends>& ends, const std::vector<SegmentId>& group,
+                       const std::vector<SideOf>& sides, std::size_t most, Defects& defects) {
+  std::size_t listed = 0;
   for (std::size_t i = 0; i < group.size(); ++i) {
     for (std::size_t j = i + 1; j < group.size(); ++j) {
       const Ends &a = ends[group[i]], &b = ends[group[j]];
       if (compare(b.low, a.high) >= 0) break;
-      if (count-- == 0) return;
+      if (most-- == 0) return listed;
+      if (are_neighbours(sides[group[i]], sides[group[j]])) continue;
       const NumberPoint& end = compare(a.high, b.high) < 0 ? a.high : b.high;
       defects.add(repeated(DefectKind::Overlap, exact(b.low), exact(end), {group[i], group[j]}));
+      ++listed;
     }
   }
+  return listed;
 }
+
+/// All that is drawn twice: segments with equal ends in groups, those that overlap by line, and on
+/// which side of each segment its shape lies.
+class Repeated {
+ public:
+  Repeated(const SegmentSet& input, const ExactComplex& complex)
+      : ends_(ends_of(input)), equal_(equal_segments(ends_)), sides_(sides_of(input)) {
+    const std::vector<SegmentId> first = first_of_equal(ends_.size(), equal_);
+    overlapping_ = overlapping_groups(ends_, first, complex.edge_sources);
+    for (std::size_t g = 0; g < equal_.size(); ++g) {
+      is_shared_.push_back(is_shared_side(equal_[g]));
+      const SideOf one = sides_[equal_[g].front()];
+      const auto differs = [&](SegmentId s) { return sides_[s].side != one.side; };
+      // Of several the first one speaks for all.
+      if (std::any_of(equal_[g].begin(), equal_[g].end(), differs)) sides_[equal_[g].front()] = {};
+    }
+    for (const std::vector<SegmentId>& group : overlapping_) forget_own(group);
+  }
+
+  const std::vector<Ends>& ends() const { return ends_; }
+  const Lists<SegmentId>& equal() const { return equal_; }
+  bool is_shared(std::size_t group) const { return is_shared_[group]; }
+  const std::vector<std::vector<SegmentId>>& overlapping() const { return overlapping_; }
+  const std::vector<SideOf>& sides() const { return sides_; }
+
+ private:
+  bool is_shared_side(std::span<const SegmentId> equal) const {
+    return equal.size() == 2 && are_neighbours(sides_[equal[0]], sides_[equal[1]]);
+  }
+
+  /// A polygon that is on both sides of a line is no neighbour of itself: nothing there is one.
+  void forget_own(const std::vector<SegmentId>& group) {
+    std::vector<std::pair<std::uint32_t, Side>> polygons;
+    for (const SegmentId s : group) {
+      if (sides_[s].side != Side::Unknown) polygons.emplace_back(sides_[s].polygon, sides_[s].side);
+    }
+    std::sort(polygons.begin(), polygons.end());
+    for (std::size_t i = 1; i < polygons.size(); ++i) {
+      if (polygons[i].first != polygons[i - 1].first || polygons[i] == polygons[i - 1]) continue;
+      for (const SegmentId s : group) sides_[s] = {};
+      return;
+    }
+  }
+
+  std::vector<Ends> ends_;
+  Lists<SegmentId> equal_;
+  std::vector<SideOf> sides_;  ///< of equal segments the first one's is that of all
+  std::vector<bool> is_shared_;
+  std::vector<std::vector<SegmentId>> overlapping_;
+};
 
 }  // namespace
 
 Defects duplicates_and_overlaps(const Subject& subject) {
-  const std::vector<Ends> ends = ends_of(subject.input);
-  const Lists<SegmentId> equal = equal_segments(ends);
+  const Repeated repetitions(subject.input, subject.graph.complex());
+  const std::vector<Ends>& ends = repetitions.ends();
   Defects defects(subject.most_listed);
-  for (std::size_t g = 0; g < equal.size(); ++g) {
-    const Ends& common = ends[equal[g].front()];
+  for (std::size_t g = 0; g < repetitions.equal().size(); ++g) {
+    if (repetitions.is_shared(g)) continue;
+    const auto equal = repetitions.equal()[g];
+    const Ends& common = ends[equal.front()];
     defects.add(repeated(DefectKind::Duplicate, exact(common.low), exact(common.high),
-                         {equal[g].begin(), equal[g].end()}));
+                         {equal.begin(), equal.end()}));
   }
   std::size_t looked_at = 0;
-  for (const std::vector<SegmentId>& group : overlapping_groups(
-           ends, first_of_equal(ends.size(), equal), subject.graph.complex().edge_sources)) {
-    const std::size_t pairs = pair_count(ends, group);
-    const std::size_t listed = std::min(pairs, kMostPairs - std::min(kMostPairs, looked_at));
-    list_pairs(ends, group, listed, defects);
-    looked_at += listed;
-    defects.add_unlisted(DefectKind::Overlap, pairs - listed, 0);
+  for (const std::vector<SegmentId>& group : repetitions.overlapping()) {
+    const PairCounts pairs = pair_counts(ends, group, repetitions.sides());
+    const std::size_t most =
+        std::min(pairs.defects + pairs.shared, kMostPairs - std::min(kMostPairs, looked_at));
+    const std::size_t listed = list_pairs(ends, group, repetitions.sides(), most, defects);
+    looked_at += most;
+    defects.add_unlisted(DefectKind::Overlap, pairs.defects - listed, 0);
   }
   return defects;
 }
@@ -160,13 +238,19 @@ namespace plumbline {
 
 Repetitions repetitions(const SegmentSet& input, const ExactComplex& complex) {
   using namespace diagnose_steps;
-  const std::vector<Ends> ends = ends_of(input);
-  const Lists<SegmentId> equal = equal_segments(ends);
+  const Repeated found(input, complex);
   Repetitions result;
-  result.duplicates = equal.flat().size() - equal.size();
-  for (const auto& group :
-       overlapping_groups(ends, first_of_equal(ends.size(), equal), complex.edge_sources)) {
-    result.overlaps += pair_count(ends, group);
+  for (std::size_t g = 0; g < found.equal().size(); ++g) {
+    if (found.is_shared(g)) {
+      ++result.shared_sides;
+    } else {
+      result.duplicates += found.equal()[g].size() - 1;
+    }
+  }
+  for (const auto& group : found.overlapping()) {
+    const PairCounts pairs = pair_counts(found.ends(), group, found.sides());
+    result.overlaps += pairs.defects;
+    result.shared_sides += pairs.shared;
   }
   return result;
 }

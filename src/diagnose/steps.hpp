@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "diagnose/line_graph.hpp"
@@ -55,9 +56,11 @@ class Defects {
 struct Tip {
   VertexId vertex;
   DefectKind kind = DefectKind::Dangle;
-  VertexId partner;           ///< of Gap: the other tip
-  EdgeId edge;                ///< of Undershoot: the edge ahead
-  Rational squared_distance;  ///< of Gap and Undershoot
+  VertexId partner;           ///< of Gap: the other tip; of Overshoot one that is cut short, if any
+  EdgeId edge;                ///< of Undershoot the edge ahead, else that of the partner
+  Rational squared_distance;  ///< of Gap, Undershoot, Overshoot with a partner
+  std::vector<VertexId>
+      meets;  ///< of Gap: tips about as near whose lines lead to where its own does
 };
 struct Tips {
   std::vector<Tip> tips;  ///< by vertex
@@ -78,9 +81,15 @@ Defects bridges(const Subject& subject);
 Defects slivers(const Subject& subject);
 Defects short_edges(const Subject& subject);
 Defects nearly_parallel_edges(const Subject& subject);
+Defects invalid_rings(const Subject& subject);
+std::vector<Opening> openings(const Subject& subject, const Tips& tips, const Range& doors);
 /// One sentence on a defect whose other members are there; of a Dangle whether its line is the rest
 /// of one that crosses others.
 std::string describe(const Subject& subject, const Defect& defect);
+
+/// The squared sine of the angle at v between two of its edges that leave it in nearly the same
+/// direction; none for others.
+std::optional<Rational> nearly_parallel(const LineGraph& graph, VertexId v, EdgeId e, EdgeId f);
 
 Point midpoint(const Point& p, const Point& q);
 

@@ -1,7 +1,10 @@
-// What each dangling end is: the nearest explanation wins.
+// What each dangling end is: the nearest explanation wins. Where two ends are near, and one of them
+// heads for the other one's edge, that one is short of it, and the other one too long; else there
+// is a gap between them.
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "diagnose/steps.hpp"
 #include "geometry/point_d.hpp"
@@ -28,6 +31,9 @@ Vector direction(const LineGraph& graph, VertexId tip) {
   return from_to(vertices[graph.other_end(graph.edges(tip)[0], tip)], vertices[tip]);
 }
 
+/// Of u x v.
+Rational cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
+
 /// Whether the angle is at most 60 degrees: its cosine at least 1/2.
 bool is_ahead(const Vector& direction, const Vector& to) {
   const Rational along = dot(direction, to);
@@ -38,6 +44,11 @@ bool is_ahead(const Vector& direction, const Vector& to) {
 bool is_side_by_side(const Vector& u, const Vector& v) {
   const Rational along = dot(u, v);
   return sgn(along) > 0 && 4 * along * along > 3 * dot(u, u) * dot(v, v);
+}
+
+/// Whether the angle of two lines is less than 30 degrees.
+bool is_shallow(const Vector& u, const Vector& v) {
+  return 4 * cross(u, v) * cross(u, v) < dot(u, u) * dot(v, v);
 }
 
 class Classifier {
@@ -56,8 +67,9 @@ class Classifier {
     find_nearest(tip, line, near);
     const bool is_found = tip.kind != DefectKind::Dangle;
     if (is_overshoot(line) && (!is_found || is_shorter(line, tip.squared_distance))) {
-      tip.kind = DefectKind::Overshoot;
+      tip = {v, DefectKind::Overshoot, {}, {}, {}, {}};
     }
+    if (tip.kind == DefectKind::Gap) find_meeting(tip, near);
     return {tip, near.cut_short && tip.kind == DefectKind::Dangle};
   }
 
@@ -74,19 +86,76 @@ class Classifier {
       }
       Nearest found = nearest_on_edge(complex, tip.vertex, candidate.edge);
       const VertexId partner = end_to_join(line, end, found, candidate.edge);
+      DefectKind kind = partner.valid() ? DefectKind::Gap : DefectKind::Undershoot;
       if (partner.valid()) {
-        found.squared_distance =
-            squared_distance(complex.vertices[tip.vertex], complex.vertices[partner]);
+        const Point &p = complex.vertices[tip.vertex], &q = complex.vertices[partner];
+        const EdgeId own = graph_.edges(tip.vertex)[0];
+        if (hit(tip.vertex, candidate.edge)) {
+          kind = DefectKind::Undershoot;
+        } else if (const std::optional<Point> x = hit(partner, own)) {
+          kind = DefectKind::Overshoot;
+          found.squared_distance = squared_distance(p, *x);
+        } else {
+          found.squared_distance = squared_distance(p, q);
+        }
       }
       if (found.squared_distance > subject_.squared_within) continue;
       if (is_found && found.squared_distance >= tip.squared_distance) continue;
       const Vector ahead = from_to(complex.vertices[tip.vertex], found.foot);
       if (!partner.valid() && (is_tip(found.end) || !is_ahead(end, ahead))) continue;
-      tip.kind = partner.valid() ? DefectKind::Gap : DefectKind::Undershoot;
-      tip.partner = partner;
+      tip.kind = kind;
+      tip.partner = kind == DefectKind::Undershoot ? VertexId() : partner;
       tip.edge = candidate.edge;
       tip.squared_distance = std::move(found.squared_distance);
     }
+  }
+
+  /// Where the line that ends at the tip would meet the inside of the edge, near the tip and at an
+  /// angle of 30 degrees or more.
+  std::optional<Point> hit(VertexId tip, EdgeId e) const {
+    const auto& vertices = graph_.complex().vertices;
+    const Edge& edge = graph_.complex().edges[e];
+    const Point p = vertices[tip], a = vertices[edge.tail], b = vertices[edge.head];
+    const Vector u = direction(graph_, tip), w = from_to(a, b);
+    if (is_shallow(u, w)) return std::nullopt;
+    const Vector off = from_to(p, a);
+    const Rational turn = cross(u, w), along = cross(off, w) / turn, part = cross(off, u) / turn;
+    if (sgn(along) <= 0 || sgn(part) <= 0 || part >= 1) return std::nullopt;
+    if (along * along * dot(u, u) > subject_.squared_within) return std::nullopt;
+    return Point{p.x + along * u.x, p.y + along * u.y};
+  }
+
+  /// The tips no further than twice the gap whose lines would meet the tip's own line ahead of
+  /// both.
+  void find_meeting(Tip& tip, const NearEdges::Answer& near) const {
+    const ExactComplex& complex = graph_.complex();
+    const double reach = 2 * nearest_sqrt(tip.squared_distance) + 2 * graph_.slack();
+    for (const NearEdge& candidate : near.edges) {
+      if (candidate.distance > reach * (1 + kAngleMargin)) break;
+      for (const VertexId v :
+           {complex.edges[candidate.edge].tail, complex.edges[candidate.edge].head}) {
+        if (!graph_.is_tip(v) || !lead_to_one_point(tip.vertex, v)) continue;
+        if (squared_distance(complex.vertices[tip.vertex], complex.vertices[v]) <=
+            4 * tip.squared_distance) {
+          tip.meets.push_back(v);
+        }
+      }
+    }
+    std::sort(tip.meets.begin(), tip.meets.end());
+  }
+
+  /// Whether the lines that end at the two tips would meet, within the distance of both.
+  bool lead_to_one_point(VertexId v, VertexId w) const {
+    const auto& vertices = graph_.complex().vertices;
+    const Vector a = direction(graph_, v), b = direction(graph_, w);
+    const Vector off = from_to(vertices[v], vertices[w]);
+    const Rational turn = cross(a, b);
+    if (sgn(turn) == 0)
+      return sgn(cross(off, a)) == 0 && sgn(dot(off, a)) > 0 && sgn(dot(a, b)) < 0;
+    const auto is_ahead_near = [&](const Rational& along, const Vector& u) {
+      return sgn(along) >= 0 && along * along * dot(u, u) <= subject_.squared_within;
+    };
+    return is_ahead_near(cross(off, b) / turn, a) && is_ahead_near(cross(off, a) / turn, b);
   }
 
   /// Whether it is out of question that the candidate is ahead of the tip, or ends in a tip to

@@ -30,6 +30,8 @@ std::string to_text(DefectKind kind) {
       return "short edge";
     case DefectKind::NearlyParallel:
       return "nearly parallel";
+    case DefectKind::InvalidRing:
+      return "invalid ring";
   }
   return "unknown";
 }
@@ -56,7 +58,9 @@ std::string loose_line(const Subject& subject, const Defect& dangle, const std::
 
 }  // namespace
 
-std::string describe(const Subject& subject, const Defect& defect) {
+namespace {
+
+std::string sentence(const Subject& subject, const Defect& defect) {
   const std::string size = number(defect.size);
   switch (defect.kind) {
     case DefectKind::Duplicate:
@@ -64,11 +68,17 @@ std::string describe(const Subject& subject, const Defect& defect) {
     case DefectKind::Overlap:
       return fmt::format("two collinear segments share {}", size);
     case DefectKind::Gap:
-      return fmt::format("two lines end {} apart", size);
+      return defect.vertices.size() > 2
+                 ? fmt::format("{} lines end up to {} short of where they meet",
+                               defect.vertices.size(), size)
+                 : fmt::format("two lines end {} apart", size);
     case DefectKind::Undershoot:
       return fmt::format("a line ends {} short of another one", size);
     case DefectKind::Overshoot:
-      return fmt::format("a line goes {} beyond the one that it crosses", size);
+      return defect.vertices.size() == 2
+                 ? fmt::format("a line goes {} beyond where one that is cut short would meet it",
+                               size)
+                 : fmt::format("a line goes {} beyond the one that it crosses", size);
     case DefectKind::NearMiss:
       return defect.vertices.size() == 2
                  ? fmt::format("two vertices are {} apart", size)
@@ -85,8 +95,19 @@ std::string describe(const Subject& subject, const Defect& defect) {
       return fmt::format("an edge of length {}", size);
     case DefectKind::NearlyParallel:
       return fmt::format("two lines meet at an angle of sine {}", size);
+    case DefectKind::InvalidRing:
+      return fmt::format("{} ({})", describe(*defect.ring, subject.input),
+                         jts_name(defect.ring->fault));
   }
   return "";
+}
+
+}  // namespace
+
+std::string describe(const Subject& subject, const Defect& defect) {
+  const std::string text = sentence(subject, defect);
+  if (!defect.open_area) return text;
+  return fmt::format("{}, which leaves a face of area {} open", text, number(*defect.open_area));
 }
 
 }  // namespace diagnose_steps

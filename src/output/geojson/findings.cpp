@@ -3,26 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "output/json/writer.hpp"
-#include "output/text/verdict.hpp"
+#include "output/geojson/layer.hpp"
 #include "plumbline/output.hpp"
 
 namespace plumbline {
 namespace json {
 namespace {
-
-/// Null where there is no text.
-auto text(std::string words) {
-  return words.empty() ? std::nullopt : std::optional(std::move(words));
-}
-
-std::string sources_text(const SegmentSet& input, const Finding& finding) {
-  std::string words;
-  for (const SourceId source : sources_of(input, finding.segments)) {
-    words += (words.empty() ? "" : "; ") + to_text(input.sources[source], input.files);
-  }
-  return words;
-}
 
 auto properties(const SegmentSet& input, const Finding& f, const Cause& cause, std::size_t number,
                 std::optional<std::size_t> group) {
@@ -36,18 +22,11 @@ auto properties(const SegmentSet& input, const Finding& f, const Cause& cause, s
                 member("distance", f.distance),
                 member("exact_x", text(has_place ? exact_text(f.where.x) : "")),
                 member("exact_y", text(has_place ? exact_text(f.where.y) : "")),
-                member("sources", text(sources_text(input, f))));
+                member("sources", text(sources_text(input, f.segments))));
 }
 
 auto geometry(const Finding& f) {
-  return given(f.kind != CellKind::Complex, [&f] {
-    return object(member("type", "Point"), member("coordinates", nearest(f.where)));
-  });
-}
-
-/// The member `crs` of GeoJSON before RFC 7946, which readers still follow.
-auto named(const std::string& crs) {
-  return object(member("type", "name"), member("properties", object(member("name", crs))));
+  return given(f.kind != CellKind::Complex, [&f] { return point(f.where); });
 }
 
 }  // namespace
@@ -60,16 +39,12 @@ std::string to_geojson(const Check& check) {
   for (std::size_t g = 0; g < check.groups.size(); ++g) {
     for (const std::size_t number : check.groups[g].findings) group_of[number - 1] = g + 1;
   }
-  const auto feature = [&](std::size_t i) {
+  return layer(check.input, findings.size(), [&](std::size_t i) {
     const Cause cause = i < check.causes.size() ? check.causes[i] : Cause{};
     return object(
         member("type", "Feature"), member("id", i + 1), member("geometry", geometry(findings[i])),
         member("properties", properties(check.input, findings[i], cause, i + 1, group_of[i])));
-  };
-  return document(
-      object(member("type", "FeatureCollection"),
-             when(!check.input.crs.empty(), [&] { return member("crs", named(check.input.crs)); }),
-             member("features", list(findings.size(), feature))));
+  });
 }
 
 }  // namespace plumbline

@@ -54,21 +54,24 @@ Base base_of(const ExactComplex& exact_complex, bool y_up) {
 }
 
 /// Whether its edges are the defect; else they are what it is near to.
-bool is_made_of_edges(DefectKind kind) {
-  return kind == DefectKind::Overshoot || kind == DefectKind::Dangle ||
-         kind == DefectKind::Bridge || kind == DefectKind::ShortEdge || kind == DefectKind::Sliver;
+bool is_made_of_edges(const Defect& defect) {
+  const DefectKind kind = defect.kind;
+  return (kind == DefectKind::Overshoot && defect.vertices.size() == 1) ||
+         kind == DefectKind::Dangle || kind == DefectKind::Bridge ||
+         kind == DefectKind::ShortEdge || kind == DefectKind::Sliver;
 }
 
 std::string marked_edges(const Base& base, const Diagnosis& diagnosis, const Group& group) {
-  if (!is_made_of_edges(group.kind)) return {};
   std::string path;
   for (std::size_t i = group.begin; i < group.end; ++i) {
+    if (!is_made_of_edges(diagnosis.defects[i])) continue;
     for (const EdgeId e : diagnosis.defects[i].edges) {
       const Edge& edge = base.complex.edges[e];
       path += 'M' + svg::coordinates(base.frame(base.complex.vertices[edge.tail])) + 'L' +
               svg::coordinates(base.frame(base.complex.vertices[edge.head]));
     }
   }
+  if (path.empty()) return {};
   return fmt::format(
       "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" "
       "d=\"{}\"/>\n",
