@@ -184,7 +184,8 @@ TEST_CASE("messages say what a CAD user sees") {
   CHECK(message(kRoom + "5 0 5 10.25") == "a line goes 0.25 beyond the one that it crosses");
   CHECK(message(kRoom + "5 0 5 12") == "a line goes 2 beyond the last one that it crosses");
   CHECK(message(kRoom + "5 10 5 12") == "a line of length 2 has a loose end");
-  CHECK(message("0 0 3 4  3 4 3 6") == "a line of length 7, in 2 edges has two loose ends");
+  CHECK(message("0 0 3 4  3 4 3 6") ==
+        "a line of length 7, in 2 edges has two loose ends, 6.7082 apart");
   CHECK(message(kRoom + "0 0 10 0") == "2 equal segments of length 10");
 }
 

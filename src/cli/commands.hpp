@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "plumbline/arrange.hpp"
-#include "plumbline/diagnose.hpp"
 #include "plumbline/engine.hpp"
 #include "plumbline/engines/lar_show.hpp"
+#include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/round.hpp"

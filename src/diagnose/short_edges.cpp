@@ -80,8 +80,9 @@ Defects short_edges(const Subject& subject) {
     if (graph.is_tip(edge.tail) || graph.is_tip(edge.head)) continue;
     if (!graph.is_within(e, subject.within)) continue;
     Rational squared = graph.squared_length(e);
-    if (is_finely_drawn(graph, e, squared) || is_drawn(subject, e, squared) ||
-        closes_strip(graph, e, squared)) {
+    if (is_finely_drawn(graph, e, squared) || is_drawn(subject, e, squared)) continue;
+    if (closes_strip(graph, e, squared)) {
+      result.add_accident(e);  // as wide as the strip, which may be one
       continue;
     }
     Defect defect;

@@ -45,9 +45,19 @@ std::string in_edges(const Defect& defect) {
   return defect.edges.size() == 1 ? "" : fmt::format(", in {} edges", defect.edges.size());
 }
 
+/// How far apart the ends of a line of several edges are.
+std::string apart(const Subject& subject, const Defect& dangle) {
+  if (dangle.edges.size() == 1) return "";
+  const auto& vertices = subject.graph.complex().vertices;
+  const Rational squared =
+      squared_distance(vertices[dangle.vertices[0]], vertices[dangle.vertices[1]]);
+  return fmt::format(", {} apart", number(nearest_sqrt(squared)));
+}
+
 std::string loose_line(const Subject& subject, const Defect& dangle, const std::string& size) {
   if (dangle.vertices.size() == 2) {
-    return fmt::format("a line of length {}{} has two loose ends", size, in_edges(dangle));
+    return fmt::format("a line of length {}{} has two loose ends{}", size, in_edges(dangle),
+                       apart(subject, dangle));
   }
   const Chain line = subject.graph.chain(dangle.vertices[0], dangle.edges[0]);
   return goes_beyond(subject, line)

@@ -43,7 +43,9 @@ bool look_at_ring(const SegmentSet& input, std::size_t index, const Walk& walk,
     problems.push_back(std::move(problem));
     return true;
   }
+  // A line that is drawn there and back is none of a polygon.
   if (ring.count >= kFewestSegments) return true;
+  if (ring.role == RingRole::Line) return false;
   problem.fault = RingFault::TooFewPoints;
   for (std::size_t s = ring.first; s <= last; ++s) problem.segments.emplace_back(s);
   problems.push_back(std::move(problem));
