@@ -105,16 +105,17 @@ class Openings {
     const double length = std::hypot(x, y);
     if (!(length > 0)) return kNone;
     const SegmentD ray{from, {from.x + reach_ * (x / length), from.y + reach_ * (y / length)}};
-    std::size_t best = kNone;
-    Rational least;
+    std::vector<std::pair<double, std::size_t>> ahead;  // nearest first
     for (const std::size_t j : jamb_tree_->meeting(ray)) {
+      ahead.emplace_back(distance(from, box_of_jamb(jambs_[j]).low), j);
+    }
+    std::sort(ahead.begin(), ahead.end());
+    for (const auto& [rough, j] : ahead) {
       if (j == i || !are_opposite(jamb, jambs_[j])) continue;
       const Rational squared = squared_width(jamb, jambs_[j]);
-      if (best != kNone && squared >= least) continue;
-      best = j;
-      least = squared;
+      return squared < squared_least_ || squared > squared_most_ ? kNone : j;
     }
-    return best == kNone || least < squared_least_ || least > squared_most_ ? kNone : best;
+    return kNone;
   }
 
   Rational squared_width(const Jamb& i, const Jamb& j) const {

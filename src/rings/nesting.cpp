@@ -73,17 +73,23 @@ class Nesting {
     if (found) add(RingFault::NestedHoles, w, found->first, found->second);
   }
 
+  /// Within another part w is where it should be only in a hole of that.
   void look_at_part(std::size_t w) {
-    std::vector<std::size_t> out;  // parts that w lies in the holes of
-    const auto is_other_part = [&](std::size_t x) {
-      return !is_hole(x) && std::find(out.begin(), out.end(), x) == out.end();
-    };
-    while (const auto found = container(w, is_other_part)) {
-      const auto hole = container(
-          w, [&](std::size_t x) { return is_hole(x) && shape_.parts[x] == found->first; });
-      if (!hole) return add(RingFault::NestedParts, w, found->first, found->second);
-      out.push_back(found->first);
+    std::optional<std::size_t> part;  // that w lies in, as far as its holes were looked at
+    Point place;
+    for (const std::size_t x : boxes_->meeting(box_of_first(w))) {
+      if (x == w || !is_usable(x) || cross(w, x)) continue;
+      if (is_hole(x)) {
+        if (part == shape_.parts[x] && within(w, x)) part.reset();
+        continue;
+      }
+      if (part) break;
+      if (std::optional<Point> p = within(w, x)) {
+        part = x;
+        place = *std::move(p);
+      }
     }
+    if (part) add(RingFault::NestedParts, w, *part, std::move(place));
   }
 
   void add(RingFault fault, std::size_t w, std::size_t other, Point where) {
