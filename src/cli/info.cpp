@@ -14,6 +14,16 @@
 namespace plumbline::cli {
 namespace {
 
+/// Some lines of a list, and how many more there are: with a diagnosis all is to fit on a screen.
+std::string first_lines(const std::string& list) {
+  constexpr std::ptrdiff_t kShown = 3;
+  const auto count = std::count(list.begin(), list.end(), '\n');
+  if (count <= kShown + 1) return list;
+  std::size_t end = 0;
+  for (std::ptrdiff_t i = 0; i < kShown; ++i) end = list.find('\n', end) + 1;
+  return list.substr(0, end) + fmt::format("  ... and {} kinds more (see info)\n", count - kShown);
+}
+
 void print_repetitions(const Drawing& drawing) {
   const Repetitions found = repetitions(drawing.input, drawing.complex);
   fmt::print("duplicates   {} segments repeat an earlier one\n", found.duplicates);
@@ -89,7 +99,8 @@ ExitCode run(const InfoArguments& arguments) {
   const Drawing drawing = load(arguments);
   fmt::print("drawing      {}: {} elements, {}\n", line_text(arguments.file),
              drawing.input.sources.size(), input_line(drawing.input));
-  fmt::print("{}", rejected_lines(drawing.input));
+  const std::string rejected = rejected_lines(drawing.input);
+  fmt::print("{}", arguments.diagnose ? first_lines(rejected) : rejected);
   fmt::print("exactness    {}\n", exactness_line(drawing.input));
   print_extent(drawing.complex);
   print_repetitions(drawing);

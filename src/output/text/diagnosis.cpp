@@ -48,15 +48,16 @@ std::string defect_line(const Diagnosis& diagnosis, std::size_t i) {
                      line_text(defect.message));
 }
 
-/// Two sources, and how many more there are.
+/// Two sources, and how many more there are; of files their names alone.
 std::string source_line(const SegmentSet& input, const Defect& defect) {
   constexpr std::size_t kShown = 2;
   const std::vector<SourceId> sources = sources_of(input, defect.segments);
   if (sources.empty()) return {};
+  std::vector<std::string> names;
+  for (const std::string& file : input.files) names.push_back(file.substr(file.rfind('/') + 1));
   std::string text;
   for (std::size_t i = 0; i < std::min(sources.size(), kShown); ++i) {
-    text +=
-        (i == 0 ? "        " : "; ") + line_text(to_text(input.sources[sources[i]], input.files));
+    text += (i == 0 ? "        " : "; ") + line_text(to_text(input.sources[sources[i]], names));
   }
   if (sources.size() > kShown) text += fmt::format("; and {} more", sources.size() - kShown);
   return text + '\n';
@@ -137,11 +138,6 @@ std::string to_text(const Diagnosis& diagnosis, const SegmentSet& input, std::si
                                  short_number(nearest_double(diagnosis.within)),
                                  counted(diagnosis.tips, "loose end"));
   text += counts_lines(diagnosis);
-  if (diagnosis.shared_sides > 0) {
-    text += fmt::format("{} of closed shapes {} drawn by both neighbours, which is no defect\n",
-                        counted(diagnosis.shared_sides, "side"),
-                        diagnosis.shared_sides == 1 ? "is" : "are");
-  }
   if (diagnosis.cut_short > 0) {
     text += fmt::format(
         "the distance is too large for this drawing: around {} vertices so much is near "
