@@ -119,6 +119,12 @@ TEST_CASE("gaps that leave a face open come first, the largest first") {
   CHECK(result.defects.at(0).open_area.value_or(0) == Approx(40));
   CHECK(result.defects.at(1).open_area.value_or(0) == Approx(20));
   CHECK_FALSE(result.defects.at(2).open_area);
+  // A wall in three pieces opens the room twice.
+  const Diagnosis pieces = diagnosis(
+      segments("0 0 5 0  5.06 0 5.1 0  5.15 0 10 0  10 0 10 8  10 8 0 8  0 8 0 0"), "0.1");
+  REQUIRE(pieces.count(DefectKind::Gap) == 2);
+  CHECK(pieces.defects.at(0).open_area.value_or(0) == Approx(80));
+  CHECK(pieces.defects.at(1).open_area.value_or(0) == Approx(80));
   CHECK(by_effect(result) == std::vector<std::size_t>{0, 1, 2, 3, 4});
 }
 
@@ -276,6 +282,8 @@ TEST_CASE("openings as wide as doors are named, not counted") {
   CHECK(openings(lines) == "6 2.95 squared 0.81\n");
   CHECK(openings(lines, Range{1, 3}) == "9 3 squared 9\n");
   CHECK(openings(lines + "  5 3 7 3") == "");
+  // As programs print it.
+  CHECK(openings(box + "6 0 6 2.5  6.0000000000000009 3.4 6 6").starts_with("6"));
   const std::string faces = box +
                             "5.9 0 6.1 0  6.1 0 6.1 2.5  6.1 2.5 5.9 2.5  5.9 2.5 5.9 0  "
                             "5.9 3.4 6.1 3.4  6.1 3.4 6.1 6  6.1 6 5.9 6  5.9 6 5.9 3.4";

@@ -55,8 +55,8 @@ struct Defect {
   /// Its square, **exact**; none for a Sliver and for lengths of more than one edge.
   std::optional<Rational> squared_size;
   std::optional<Rational> area;  ///< of a Sliver, **exact**
-  /// Of Gap and Undershoot, where joining what is near makes one face into two: the area of the
-  /// lesser one, which is open there. **Rounded**.
+  /// Of Gap and Undershoot, where joining parts two faces, once all of them are joined: the area of
+  /// the lesser one, which is open there. **Rounded**.
   std::optional<double> open_area;
   std::optional<RingProblem> ring;  ///< of InvalidRing
   /// The least tolerance (a radius within which lines are snapped, or up to which they are removed)

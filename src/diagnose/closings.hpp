@@ -3,32 +3,21 @@
 #include <optional>
 #include <vector>
 
-#include "diagnose/line_graph.hpp"
+#include "plumbline/geometry.hpp"
 
 namespace plumbline::diagnose_steps {
 
-/// What becomes a face of its own where a loose end is joined to what it is near. **Rounded**.
-class Closings {
- public:
-  /// Keeps a reference to the graph. Cost: linear.
-  explicit Closings(const LineGraph& graph);
-
-  /// The area of the lesser one of two faces that a line between the tips makes of one; none where
-  /// it makes none.
-  std::optional<double> between(VertexId tip, VertexId other) const;
-  /// The same for a line from the tip to the nearest point of the edge.
-  std::optional<double> to_edge(VertexId tip, EdgeId e) const;
-
- private:
-  std::optional<double> closed(HalfedgeId from, HalfedgeId to, const PointD& end) const;
-  HalfedgeId leaving(VertexId tip) const;
-  PointD at(VertexId v) const;
-
-  const LineGraph& graph_;
-  std::vector<CycleId> cycle_;  ///< per halfedge
-  std::vector<double> before_;  ///< per halfedge: twice the area along its cycle up to its origin
-  std::vector<std::uint32_t> place_;  ///< per halfedge, in its cycle
-  std::vector<double> whole_;         ///< per cycle
+/// A line that would join what is near each other.
+struct Closing {
+  std::size_t number;  ///< of the defect that it mends
+  Point a, b;
 };
+
+/// For each of `count` defects the area of the lesser one of two faces that its closings part, all
+/// closings being drawn; of several the largest, none where they part nothing. Faces of the drawing
+/// that are parted are those that its gaps leave open. **Rounded**. Cost: an arrangement.
+std::vector<std::optional<double>> open_areas(const SegmentSet& input,
+                                              const std::vector<Closing>& closings,
+                                              std::size_t count);
 
 }  // namespace plumbline::diagnose_steps

@@ -10,7 +10,7 @@
 namespace plumbline::diagnose_steps {
 namespace {
 
-Defect near_end(const Subject& subject, const Closings& closings, const Tip& tip) {
+Defect near_end(const Subject& subject, const Tip& tip) {
   const LineGraph& graph = subject.graph;
   Defect defect;
   defect.kind = tip.kind;
@@ -23,10 +23,6 @@ Defect near_end(const Subject& subject, const Closings& closings, const Tip& tip
     defect.vertices.push_back(tip.partner);
     std::sort(defect.vertices.begin(), defect.vertices.end());
     std::sort(defect.edges.begin(), defect.edges.end());
-  }
-  if (tip.kind == DefectKind::Gap) defect.open_area = closings.between(tip.vertex, tip.partner);
-  if (tip.kind == DefectKind::Undershoot) {
-    defect.open_area = closings.to_edge(tip.vertex, tip.edge);
   }
   defect.squared_size = tip.squared_distance;
   defect.size = nearest_sqrt(tip.squared_distance);
@@ -112,8 +108,7 @@ class MeetingPoint {
   Rational squared_;
 };
 
-Defect junction(const Subject& subject, const Closings& closings,
-                const std::vector<const Tip*>& tips) {
+Defect junction(const Subject& subject, const std::vector<const Tip*>& tips) {
   const MeetingPoint meeting(subject.graph, tips);
   Defect defect;
   defect.kind = DefectKind::Gap;
@@ -121,9 +116,6 @@ Defect junction(const Subject& subject, const Closings& closings,
   for (const Tip* tip : tips) {
     defect.vertices.push_back(tip->vertex);
     defect.edges.push_back(subject.graph.edges(tip->vertex)[0]);
-    // Of the faces that the lines would part, the largest.
-    const auto area = closings.between(tips.front()->vertex, tip->vertex);
-    if (tip != tips.front()) defect.open_area = std::max(defect.open_area, area);
   }
   std::sort(defect.edges.begin(), defect.edges.end());
   defect.squared_size = meeting.squared_distance();
@@ -162,15 +154,55 @@ bool is_told_by_other(const Subject& subject, const Tips& tips, const Tip& tip) 
          (tip.kind == DefectKind::Dangle || second.partner == tip.vertex);
 }
 
+/// Defects of ends that joining mends, until it is known what it would part.
+class NearEnds {
+ public:
+  explicit NearEnds(const Subject& subject) : subject_(subject) {}
+
+  void add(const Tip& tip) {
+    const auto& vertices = subject_.graph.complex().vertices;
+    defects_.push_back(near_end(subject_, tip));
+    if (tip.kind == DefectKind::Gap) {
+      close(vertices[tip.vertex], vertices[tip.partner]);
+    } else if (tip.kind == DefectKind::Undershoot) {
+      close(vertices[tip.vertex],
+            nearest_on_edge(subject_.graph.complex(), tip.vertex, tip.edge).foot);
+    }
+  }
+  void add(const std::vector<const Tip*>& tips) {
+    defects_.push_back(junction(subject_, tips));
+    for (const Tip* tip : tips) {
+      close(subject_.graph.complex().vertices[tip->vertex], defects_.back().where);
+    }
+  }
+
+  void move_to(Defects& result) && {
+    const auto areas = open_areas(subject_.input, closings_, defects_.size());
+    for (std::size_t i = 0; i < defects_.size(); ++i) {
+      defects_[i].open_area = areas[i];
+      result.add(std::move(defects_[i]));
+    }
+  }
+
+ private:
+  /// Of the last defect.
+  void close(Point a, Point b) {
+    if (a != b) closings_.push_back({defects_.size() - 1, std::move(a), std::move(b)});
+  }
+
+  const Subject& subject_;
+  std::vector<Defect> defects_;
+  std::vector<Closing> closings_;
+};
+
 }  // namespace
 
 Defects dangling_lines(const Subject& subject, const Tips& tips) {
   Defects result(subject.most_listed);
-  if (tips.tips.empty()) return result;
-  const Closings closings(subject.graph);
+  NearEnds near_ends(subject);
   std::vector<VertexId> joined;
   for (const std::vector<const Tip*>& group : junctions(tips)) {
-    result.add(junction(subject, closings, group));
+    near_ends.add(group);
     for (const Tip* tip : group) joined.push_back(tip->vertex);
   }
   std::sort(joined.begin(), joined.end());
@@ -182,7 +214,7 @@ Defects dangling_lines(const Subject& subject, const Tips& tips) {
     if (std::binary_search(joined.begin(), joined.end(), tip.vertex)) continue;
     if (is_told_by_other(subject, tips, tip)) continue;
     if (tip.kind != DefectKind::Dangle && tip.edge.valid()) {
-      result.add(near_end(subject, closings, tip));
+      near_ends.add(tip);
       continue;
     }
     Defect defect = dangling(subject, tip, line);
@@ -192,6 +224,7 @@ Defects dangling_lines(const Subject& subject, const Tips& tips) {
     }
     result.add(std::move(defect));
   }
+  std::move(near_ends).move_to(result);
   for (std::size_t i = 0; i < tips.cut_short; ++i) result.add_cut_short();
   return result;
 }

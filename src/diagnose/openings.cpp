@@ -35,6 +35,7 @@ class Openings {
         complex_(subject.graph.complex()),
         squared_least_(least * least),
         squared_most_(most * most),
+        squared_slack_(rational_from(graph_.slack()) * rational_from(graph_.slack())),
         reach_(nearest_double(most)) {
     for (const Tip& tip : tips.tips) {
       if (tip.kind == DefectKind::Dangle) add_tip(tip.vertex);
@@ -65,6 +66,11 @@ class Openings {
 
   Point at(VertexId v) const { return complex_.vertices[v]; }
 
+  /// Whether a product with u says that something is off by no more than rounding.
+  bool is_slight(const Rational& product, const Vector& u) const {
+    return product * product <= squared_slack_ * dot(u, u);
+  }
+
   /// A line that ends there, longer than the least opening.
   void add_tip(VertexId v) {
     const EdgeId e = graph_.edges(v)[0];
@@ -86,7 +92,7 @@ class Openings {
     const Vector along = from_to(at(edge.tail), at(edge.head));
     const Vector u = from_to(at(edge.tail), at(graph_.other_end(f, edge.tail)));
     const Vector w = from_to(at(edge.head), at(graph_.other_end(g, edge.head)));
-    if (sgn(dot(along, u)) != 0 || sgn(dot(along, w)) != 0) return;
+    if (!is_slight(dot(along, u), u) || !is_slight(dot(along, w), w)) return;
     const int side = sgn(cross(along, u));
     if (side == 0 || side != sgn(cross(along, w))) return;
     jambs_.push_back({e, edge.tail, edge.head, {-u.x, -u.y}});
@@ -125,10 +131,11 @@ class Openings {
   /// Whether the second one is straight ahead of the first and the other way round.
   bool are_opposite(const Jamb& i, const Jamb& j) const {
     if ((i.a == i.b) != (j.a == j.b)) return false;
-    if (sgn(dot(i.outward, j.outward)) >= 0 || sgn(cross(i.outward, j.outward)) != 0) return false;
+    if (sgn(dot(i.outward, j.outward)) >= 0) return false;
     const auto is_ahead = [&](VertexId v, VertexId w) {
       const Vector to = from_to(at(v), at(w));
-      return sgn(cross(i.outward, to)) == 0 && sgn(dot(i.outward, to)) > 0;
+      return sgn(dot(i.outward, to)) > 0 && is_slight(cross(i.outward, to), i.outward) &&
+             is_slight(cross(j.outward, to), j.outward);
     };
     return (is_ahead(i.a, j.a) && is_ahead(i.b, j.b)) || (is_ahead(i.a, j.b) && is_ahead(i.b, j.a));
   }
@@ -183,7 +190,7 @@ class Openings {
 
   const LineGraph& graph_;
   const ExactComplex& complex_;
-  const Rational squared_least_, squared_most_;
+  const Rational squared_least_, squared_most_, squared_slack_;
   const double reach_;
   std::vector<Jamb> jambs_;
   std::unique_ptr<BoxTree> jamb_tree_, edge_tree_;

@@ -12,7 +12,7 @@ import sys
 SUFFIXES = {".svg", ".dxf", ".lines", ".geojson", ".json", ".wkt"}
 MEASURES = {"duplicates": "duplicates", "overlaps": "overlaps", "dangling_ends": "dangling_ends"}
 KINDS = ["duplicate", "overlap", "gap", "undershoot", "overshoot", "near-miss", "dangle", "bridge",
-         "sliver", "short edge", "nearly parallel"]
+         "sliver", "short edge", "nearly parallel", "invalid ring"]
 
 
 def diagnosed(program, file):
