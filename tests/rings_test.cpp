@@ -106,6 +106,14 @@ TEST_CASE("a ring may be open, or have too few points") {
         "three distinct points\n");
 }
 
+TEST_CASE("a ring without length is told beside one that has some") {
+  CHECK(
+      problems(wkt("POLYGON ((0 0, 4 0, 4 4, 0 0), (1 1, 1 1, 1 1, 1 1))")) ==
+      "Too few distinct points in geometry component [0 0]: hole 1 of Polygon has less than three "
+      "distinct points\n");
+  CHECK(problems(wkt("POLYGON ((1 1, 1 1, 1 1, 1 1)); LINESTRING (0 0, 1 0)")).empty());
+}
+
 TEST_CASE("closed lines of drawings are rings") {
   CHECK(problems(svg("<polygon id='p' points='0,0 4,4 4,0 0,4'/>")) ==
         "Self-intersection [2 2]: closed line of polygon #p crosses itself\n");

@@ -33,8 +33,10 @@ std::string jts_name(RingFault fault);
 struct RingProblem {
   RingFault fault = RingFault::NotClosed;
   std::size_t ring = 0, other = 0;  ///< indices into SegmentSet::rings; the same of one alone
-  Point where;                      ///< the end; the point; of what lies in another, a point of it
-  std::optional<Point> until = {};  ///< of RunsAlong the last point, `where` being the first
+  /// The end; the point; of what lies in another, a point of it; of a ring without length, a point
+  /// of the polygon's other ring.
+  Point where;
+  std::optional<Point> until = {};       ///< of RunsAlong the last point, `where` being the first
   std::vector<SegmentId> segments = {};  ///< of the rings, those there, ascending
 };
 

@@ -64,7 +64,7 @@ class Nesting {
 
   void look_at_hole(std::size_t w) {
     const std::size_t part = shape_.parts[w];
-    if (is_usable(part) && part != w && !cross(part, w)) {
+    if (is_usable(part) && !is_hole(part) && !cross(part, w)) {
       const std::optional<Point> p = locators_[part].point_off(shape_.walks[w]);
       if (p && !locators_[part].contains(*p)) add(RingFault::HoleOutside, w, part, *p);
     }

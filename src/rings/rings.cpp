@@ -52,15 +52,31 @@ bool look_at_ring(const SegmentSet& input, std::size_t index, const Walk& walk,
   return false;
 }
 
+/// A ring of which nothing is left, beside one of the same polygon of which there is.
+void look_at_empty_ring(const SegmentSet& input, std::size_t index, std::size_t other,
+                        std::vector<RingProblem>& problems) {
+  const std::size_t s = input.rings[other].first;
+  problems.push_back(
+      {RingFault::TooFewPoints, index, other, input.segments[s].a, std::nullopt, {SegmentId(s)}});
+}
+
 /// The rings from `begin` to `end`.
 void look_at_polygon(const SegmentSet& input, const ExactComplex& complex, const Walks& walks,
                      std::size_t begin, std::size_t end, std::vector<RingProblem>& problems) {
   const auto first = static_cast<std::ptrdiff_t>(problems.size());
   Shape shape{input, complex, {}, {}};
   std::size_t part = 0;
+  const auto is_there = [&](const Ring& ring) { return ring.count > 0; };
+  const auto some = std::find_if(input.rings.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 input.rings.begin() + static_cast<std::ptrdiff_t>(end), is_there);
+  const auto there = static_cast<std::size_t>(some - input.rings.begin());
+  if (there == end) return;
   for (std::size_t i = begin; i < end; ++i) {
     if (input.rings[i].role != RingRole::Hole) part = shape.walks.size();
-    if (input.rings[i].count == 0) continue;
+    if (input.rings[i].count == 0) {
+      look_at_empty_ring(input, i, there, problems);
+      continue;
+    }
     Walk walk = walks.of(i);
     if (!look_at_ring(input, i, walk, problems)) continue;
     shape.walks.push_back(std::move(walk));

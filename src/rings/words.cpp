@@ -61,7 +61,9 @@ std::string to_text(RingFault fault) { return kNames[static_cast<std::size_t>(fa
 std::string jts_name(RingFault fault) { return kNames[static_cast<std::size_t>(fault)].of_jts; }
 
 std::string describe(const RingProblem& problem, const SegmentSet& input) {
-  const std::string ring = name_of(problem.ring, input) + source_of(problem.ring, input);
+  const bool is_there = input.rings[problem.ring].count > 0;
+  const std::string ring =
+      name_of(problem.ring, input) + source_of(is_there ? problem.ring : problem.other, input);
   std::string other = problem.ring == problem.other ? "itself" : name_of(problem.other, input);
   if (other.starts_with("outer")) other = "the " + other;
   switch (problem.fault) {

@@ -140,7 +140,7 @@ class Evaluation {
     for (const Ring& ring : model.rings) {
       const std::uint32_t first = places_[ring.first], end = places_[ring.first + ring.count];
       const Ring placed{first, end - first, ring.role};
-      bool is_whole = placed.count > 0;
+      bool is_whole = true;
       if (placed.count != ring.count) {
         for (std::uint32_t i = first + 1; i < end; ++i) is_whole = is_whole && !is_broken(i);
       }

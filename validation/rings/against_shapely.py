@@ -14,13 +14,19 @@ import sys
 import tempfile
 
 import shapely
-import shapely.geos
 import shapely.wkt
 from shapely.validation import explain_validity
 
 VALID = "Valid Geometry"
 CELL = 40  # apart from each other
 SHOWN = 5
+
+
+def geos_version():
+    if hasattr(shapely, "geos_version"):
+        return shapely.geos_version
+    from shapely import geos  # before 2.0
+    return geos.geos_version
 
 
 def star(corners):
@@ -99,7 +105,7 @@ def main(program, count):
         same_place += any(math.dist(place, p) < 1e-6 for _, places in ours for p in places)
     print("# Whether polygons are valid, by GEOS and by Plumbline\n")
     print(f"Made by `validation/rings/run {count}` with Shapely {shapely.__version__} (GEOS "
-          f"{'.'.join(map(str, shapely.geos.geos_version))}): random polygons on a small grid, so that rings often")
+          f"{'.'.join(map(str, geos_version()))}): random polygons on a small grid, so that rings often")
     print("touch and run along each other. GEOS names one reason in doubles, Plumbline all in exact places; *reasons* are GEOS's.\n")
     print("| reason | polygons |\n| --- | ---: |")
     for kind, polygons in counts.most_common():

@@ -15,7 +15,7 @@ enum class RingRole : std::uint8_t {
 /// Segments of which each starts where the one before it ends. Only a ring that the drawing does
 /// not close ends elsewhere than it starts.
 struct Ring {
-  std::uint32_t first = 0, count = 0;  ///< its segments
+  std::uint32_t first = 0, count = 0;  ///< its segments; none where all had no length
   RingRole role = RingRole::Polygon;
 
   friend bool operator==(const Ring&, const Ring&) = default;
