@@ -245,6 +245,18 @@ TEST_CASE("a spike has its name at the corner that makes it") {
   // The corner (4, 0.001) of the upper triangle should lie on the lower one's side.
   CHECK(list("0 0 10 0  10 0 5 -5  5 -5 0 0  0 0 4 0.001  4 0.001 2 6  2 6 0 0", "0.01") ==
         "near-miss at 4 0.001 squared 0.000001 tolerance 0.001 of 1 4 5\n");
+  // Two parcels, one of which lacks the other's corner.
+  const SegmentSet parcels = evaluate(read_wkt(
+      "POLYGON ((-72.696428 41.797527, -72.712274 41.785347, -72.66441 41.751403, "
+      "-72.635534 41.778325, -72.696428 41.797527)); "
+      "POLYGON ((-72.700578 41.794337, -72.692501 41.791197, -72.699563 41.785815, "
+      "-72.692501 41.782889, -72.681386 41.792784, -72.696428 41.797527, -72.700578 41.794337))",
+      "a.wkt"));
+  const Diagnosis result = diagnose(parcels, arrange(parcels));
+  CHECK(result.count(DefectKind::NearlyParallel) == 0);
+  REQUIRE(result.count(DefectKind::NearMiss) == 1);
+  CHECK(to_text(result.defects.at(0).where) == "-72.700578 41.794337");
+  CHECK(result.defects.at(0).size == Approx(8.706e-8).epsilon(1e-4));
 }
 
 TEST_CASE("what neighbours draw as closed shapes is drawn once by each") {

@@ -87,6 +87,9 @@ void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments) {
   }
   if (arguments.findings) write_file(*arguments.findings, to_geojson(diagnosis, drawing.input));
   fmt::print("\n{}", to_text(diagnosis, drawing.input, arguments.listed));
+  if (arguments.listed == 0 && !diagnosis.defects.empty()) {
+    fmt::print("all of them: --list N, --picture, --findings, -o\n");
+  }
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kWorst = 6;          // defects on the first screen
 constexpr std::size_t kWorstOfKind = 3;    // of them
 constexpr std::size_t kShownOpenings = 3;  // places of them
-constexpr std::size_t kShownTolerances = 4;
+constexpr std::size_t kShownTolerances = 3;
 
 std::string counted(std::size_t count, const std::string& thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
