@@ -367,3 +367,17 @@ TEST_CASE("many points are located as one by one") {
   CHECK(points.size() > 1000);
   CHECK(compare_steps::locate_all(plan, points) == expected);
 }
+
+TEST_CASE("of vertices that are one in doubles, the exactly nearest one is what a vertex repeats") {
+  std::string points;
+  for (int i = 10; i < 34; ++i) points += "+ 1 1.000000000000000000" + std::to_string(i) + "  ";
+  const ExactComplex right = drawn(points);
+  for (std::size_t v = 0; v < right.vertices.size(); ++v) {
+    ExactComplex other = right;
+    other.vertices.push_back(right.vertices[v]);
+    other.face_isolated_vertices = moved(right.face_isolated_vertices,
+                                         VertexId(right.vertices.size()), kUnbounded, kUnbounded);
+    const std::string found = findings(compare(right, canonical(std::move(other)), 0));
+    CHECK(found.find("vertex split exact " + std::to_string(v) + " float") != std::string::npos);
+  }
+}

@@ -14,9 +14,9 @@
 namespace plumbline::compare_steps {
 namespace {
 
-// Proposals for the nearest vertex: rounding can disturb the order of those that coincide in
-// doubles, of which more than this many at one place are not told apart.
-constexpr std::size_t kNearestProposals = 8;
+// Proposals for the nearest vertex, of which rounding can disturb the order: first so many, more
+// while all of them coincide in doubles; of more than the most at one place some are not looked at.
+constexpr std::size_t kNearestProposals = 8, kMostNearestProposals = 512;
 // A rough coordinate is off by less than 2^-52 of the largest, so a distance of two rough points by
 // less than 2^-50 of it; the rest is room for rounding in the tree.
 constexpr double kDistanceSlack = 0x1p-48;
@@ -77,18 +77,25 @@ std::vector<VertexId> NearVertices::proposals(const PointD& rough, double tolera
   return {found.begin(), found.end()};
 }
 
-std::optional<Near> NearVertices::nearest_to(const FilteredPoints& points, std::size_t p) const {
+std::vector<Near> NearVertices::nearest_roughly(const FilteredPoints& points, std::size_t p) const {
   const Tree& tree = this->tree();
-  const std::vector<std::size_t> found = tree.index.nearest(
-      tree.scaled(points.rough(p)), kNearestProposals, std::numeric_limits<double>::max());
+  const PointD q = tree.scaled(points.rough(p));
   const double slack = distance_slack(points, vertices_);
   std::vector<Near> near;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t i : found) {
-    near.push_back({VertexId(i), distance(points.rough(p), vertices_.rough(i))});
-    least = std::min(least, near.back().distance);
+  for (std::size_t count = kNearestProposals;; count *= 4) {
+    near.clear();
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : tree.index.nearest(q, count, std::numeric_limits<double>::max())) {
+      near.push_back({VertexId(i), distance(points.rough(p), vertices_.rough(i))});
+      least = std::min(least, near.back().distance);
+    }
+    std::erase_if(near, [&](const Near& one) { return one.distance > least + 2 * slack; });
+    if (near.size() < count || count >= kMostNearestProposals) return near;
   }
-  std::erase_if(near, [&](const Near& one) { return one.distance > least + 2 * slack; });
+}
+
+std::optional<Near> NearVertices::nearest_to(const FilteredPoints& points, std::size_t p) const {
+  const std::vector<Near> near = nearest_roughly(points, p);
   if (near.empty()) return std::nullopt;
   const auto squared = [&](const Near& one) {
     return squared_distance(points[p], vertices_[one.vertex]);

@@ -37,6 +37,8 @@ class NearVertices {
  private:
   struct Tree;
   const Tree& tree() const;
+  /// The vertices that may be nearest to point p.
+  std::vector<Near> nearest_roughly(const FilteredPoints& points, std::size_t p) const;
 
   const FilteredPoints& vertices_;
   mutable std::unique_ptr<Tree> tree_;  ///< made when first asked for
