@@ -52,9 +52,16 @@ auto summary(const Check& check) {
 }
 
 auto cause(const Cause& c) {
+  const auto other = [](const Cause& also) {
+    return object(member("stage", also.stage), member("round", also.round),
+                  member("rule", also.rule), member("explanation", also.explanation),
+                  member("advice", also.advice), member("distance", also.distance));
+  };
   return object(member("stage", c.stage), member("round", c.round), member("rule", c.rule),
                 member("explanation", c.explanation), member("advice", c.advice),
-                member("confirmed", c.confirmed), member("remade", c.remade));
+                member("confirmed", c.confirmed), member("remade", c.remade),
+                member("distance", c.distance), member("radius_without", c.radius_without),
+                member("with", list(c.with, other)));
 }
 
 auto finding(const SegmentSet& input, const Finding& f, const Cause* known, std::size_t number) {

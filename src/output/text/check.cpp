@@ -170,6 +170,9 @@ void append_finding(std::string& text, const Check& check, std::size_t number) {
     text += fmt::format("        {}: {}", cause.stage, line_text(cause.explanation));
     if (!cause.advice.empty()) text += fmt::format("; {}", line_text(cause.advice));
     text += '\n';
+    for (const Cause& other : cause.with) {
+      text += fmt::format("      with {}: {}\n", other.stage, line_text(other.explanation));
+    }
   }
   text += input_lines(check.input, finding.segments, "        ");
 }
