@@ -55,8 +55,8 @@ struct Cause {
   std::string rule;         ///< the name of the divergence, as in docs/divergences.md
   std::string explanation;  ///< one sentence: what the stage did there
   std::string advice;       ///< one sentence: what would have avoided it
-  /// The stage alone makes the finding: with its output continued exactly it is there, with its own
-  /// input continued exactly it is not.
+  /// The stage, with those in `with`, makes the finding: with the output of the last of them
+  /// continued exactly all of it is there, with the input of one of them nothing of it.
   bool confirmed = false;
   /// With the stage replaced by its exact counterpart and the later ones run as they are, these
   /// make the finding again. None: not tried, as for kParse and kTransform, and on large drawings.
@@ -66,8 +66,8 @@ struct Cause {
   /// A radius with which the engine was run, and the finding was not there: the largest of those
   /// tried. None: there is none among them, or none were tried.
   std::optional<double> radius_without = {};
-  /// What else it takes to make the finding, in the order of the stages: this stage alone makes a
-  /// part of it.
+  /// Other stages that have a part in the finding, or in what it follows from, as causes without
+  /// further ones.
   std::vector<Cause> with = {};
 };
 struct Explained {

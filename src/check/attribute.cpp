@@ -2,8 +2,6 @@
 
 #include "check/attribute.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -48,28 +46,12 @@ using Ends = std::pair<PointD, PointD>;
 
 Ends ends(const PointD& a, const PointD& b) { return std::minmax(a, b); }
 
-Cause parsing() {
-  Cause cause;
-  cause.stage = kParse;
-  cause.rule = "decimal-to-double";
-  cause.explanation = "numbers of the file became the nearest doubles";
-  cause.advice = "read the numbers as decimals, or draw on a grid of binary fractions";
-  cause.confirmed = true;
-  return cause;
-}
-
-Cause transforming() {
-  Cause cause;
-  cause.stage = kTransform;
-  cause.rule = "transformed-to-double";
-  cause.explanation = "coordinates that maps gave became the nearest doubles";
-  cause.advice = "apply the maps exactly, or after the arrangement";
-  cause.confirmed = true;
-  return cause;
-}
-
 bool is_of_conversion(const Cause& cause) {
   return cause.stage == kParse || cause.stage == kTransform;
+}
+
+bool is_same_stage(const Cause& cause, const Cause& other) {
+  return cause.stage == other.stage && cause.round == other.round;
 }
 
 class Attribution {
@@ -87,6 +69,7 @@ class Attribution {
         outputs_(run.outputs()),
         is_cut_once_(std::any_of(outputs_.begin(), outputs_.end(),
                                  [](const StageOutput& output) { return output.is_cut; })),
+        grown_(findings_.size()),
         causes_(findings_.size()) {}
 
   std::vector<Cause> causes() && {
@@ -104,6 +87,7 @@ class Attribution {
     take_from_conversion();
     if (is_cut_once_) blame_invalid_cells();
     explain();
+    join_reasons();
     run_without_owners();
     blame_suspects();
     std::vector<Cause> result;
@@ -115,9 +99,13 @@ class Attribution {
 
  private:
   /// The open findings that are not there when the output of stage k is continued exactly belong to
-  /// the stage after it.
+  /// the stage after it, or to a later one that made more of it.
   void close_absent(std::size_t k);
   Cause owned_by(const Finding& finding, std::size_t owner) const;
+  void note_growth(std::size_t i, std::size_t k, std::size_t extent);
+  bool goes_on(const Finding& moved, const Finding& before, const ExactComplex& complex) const;
+  /// The cause of a finding that began with this one.
+  Cause completed(std::size_t i, Cause begun) const;
   void blame_invalid();
   void blame_invalid_cells();
   std::size_t owner_of_invalid(const Finding& finding) const;
@@ -130,6 +118,8 @@ class Attribution {
   std::size_t changed(std::size_t k) const;
   void take_from_conversion();
   void explain();
+  void take_rule(std::size_t i, Cause& cause);
+  void join_reasons();
   void run_without_owners();
   void run_without(const std::string& stage, std::size_t round,
                    const std::vector<std::size_t>& findings);
@@ -144,6 +134,12 @@ class Attribution {
   const std::size_t threads_;
   const std::vector<StageOutput> outputs_;
   const bool is_cut_once_;
+  /// What later stages made more of a finding, from the last one on; and how much it was before.
+  struct Growth {
+    std::vector<std::size_t> owners;
+    std::optional<std::size_t> extent = {};
+  };
+  std::vector<Growth> grown_;                 ///< per finding
   std::vector<std::optional<Cause>> causes_;  ///< per finding
   std::vector<std::size_t> open_;             ///< findings there from the stage looked at on
 };
@@ -165,20 +161,64 @@ std::size_t Attribution::changed(std::size_t k) const {
 }
 
 void Attribution::close_absent(std::size_t k) {
+  std::optional<ExactComplex> complex;
   std::optional<Comparison> continued;
   if (const std::size_t with_work = changed(k); with_work > 0) {
-    continued = compare_steps::compare_cells(exact_, run_.continued(outputs_[with_work], threads_),
-                                             comparison_.tolerance, take_correspondence(open_));
+    complex = run_.continued(outputs_[with_work], threads_);
+    continued = compare_steps::compare_cells(exact_, *complex, comparison_.tolerance,
+                                             take_correspondence(open_));
   }
   const Comparison& there = continued ? *continued : converted_.comparison;
   const compare_steps::WrongCells wrong(there, exact_);
   std::erase_if(open_, [&](std::size_t i) {
     const Finding& finding = findings_[i];
-    if (finding.invariant ? breaks_too(there, finding) : wrong.has(finding)) return false;
-    causes_[i] = owned_by(finding, k + 1);
-    causes_[i]->confirmed = true;
+    if (finding.invariant) {
+      if (breaks_too(there, finding)) return false;
+    } else if (wrong.has(finding)) {
+      const bool moved_on = goes_on(finding, there.findings[*wrong.same(finding)],
+                                    complex ? *complex : converted_.complex);
+      note_growth(i, k, wrong.extent(finding) - (moved_on ? 1 : 0));
+      return false;
+    }
+    Cause begun = owned_by(finding, k + 1);
+    begun.confirmed = true;
+    causes_[i] = completed(i, std::move(begun));
     return true;
   });
+}
+
+/// Whether a moved vertex, which the complex of an earlier stage has moved, too, went on from
+/// there.
+bool Attribution::goes_on(const Finding& moved, const Finding& before,
+                          const ExactComplex& complex) const {
+  if (moved.disagreement != Disagreement::Moved || before.disagreement != Disagreement::Moved) {
+    return false;
+  }
+  const Point there = complex.vertices[before.float_cells.front()];
+  const Rational tolerance = rational_from(comparison_.tolerance);
+  return squared_distance(there, exact(float_.vertices[moved.float_cells.front()])) >
+         tolerance * tolerance;
+}
+
+/// If there is less of the finding at stage k than later on, the stage after it made some of it.
+void Attribution::note_growth(std::size_t i, std::size_t k, std::size_t extent) {
+  Growth& growth = grown_[i];
+  if (extent >= growth.extent.value_or(compare_steps::WrongCells::whole(findings_[i]))) return;
+  growth.extent = extent;
+  growth.owners.push_back(k + 1);
+}
+
+Cause Attribution::completed(std::size_t i, Cause begun) const {
+  const std::vector<std::size_t>& owners = grown_[i].owners;
+  if (owners.empty()) return begun;
+  Cause cause = owned_by(findings_[i], owners.front());
+  cause.confirmed = begun.confirmed;
+  cause.with.push_back(std::move(begun));
+  for (std::size_t j = owners.size(); j-- > 1;) {
+    cause.with.push_back(owned_by(findings_[i], owners[j]));
+    cause.with.back().confirmed = cause.confirmed;
+  }
+  return cause;
 }
 
 /// Edges that meet where they should not were left by the last cutting if it had them in this
@@ -229,23 +269,60 @@ void Attribution::take_from_conversion() {
   const compare_steps::WrongCells wrong(converted_.comparison, exact_);
   for (const std::size_t i : open_) {
     const auto same = wrong.same(findings_[i]);
-    causes_[i] = same ? converted_.causes[*same] : owned_by(findings_[i], 0);
+    Cause begun = same ? converted_.causes[*same] : owned_by(findings_[i], 0);
+    std::vector<Cause> earlier = std::move(begun.with);
+    begun.with.clear();
+    Cause& cause = causes_[i].emplace(completed(i, std::move(begun)));
+    cause.with.insert(cause.with.begin(), earlier.begin(), earlier.end());
   }
   open_.clear();
 }
 
-/// A finding that follows from an earlier one of the same stage has the earlier one's rule.
 void Attribution::explain() {
   for (std::size_t i = 0; i < findings_.size(); ++i) {
+    take_rule(i, *causes_[i]);
+    for (Cause& other : causes_[i]->with) take_rule(i, other);
+  }
+}
+
+/// A finding that follows from an earlier one of the same stage has the earlier one's rule.
+void Attribution::take_rule(std::size_t i, Cause& cause) {
+  if (!cause.rule.empty()) return;
+  for (const std::size_t number : findings_[i].because) {
+    const Cause& earlier = *causes_[number - 1];
+    if (!is_same_stage(earlier, cause)) continue;
+    cause.rule = earlier.rule;
+    cause.explanation = earlier.explanation;
+    cause.advice = earlier.advice;
+    cause.distance = earlier.distance;
+    return;
+  }
+  cause = run_.explained(findings_[i], std::move(cause));
+}
+
+/// What a finding follows from takes its causes, too. Rounding is the least of them: the cause is a
+/// stage of the engine, if one has a part in it.
+void Attribution::join_reasons() {
+  for (std::size_t i = 0; i < findings_.size(); ++i) {
     Cause& cause = *causes_[i];
-    if (!cause.rule.empty()) continue;
+    const auto join = [&](const Cause& other) {
+      const auto is_same = [&](const Cause& known) { return is_same_stage(known, other); };
+      if (is_same(cause) || std::any_of(cause.with.begin(), cause.with.end(), is_same)) return;
+      cause.with.push_back(other);
+      cause.with.back().with.clear();
+    };
     for (const std::size_t number : findings_[i].because) {
       const Cause& earlier = *causes_[number - 1];
-      if (earlier.stage != cause.stage || earlier.round != cause.round) continue;
-      cause = earlier;
-      break;
+      for (const Cause& other : earlier.with) join(other);
+      join(earlier);
     }
-    if (cause.rule.empty()) cause = run_.explained(findings_[i], std::move(cause));
+    const auto of_engine = std::find_if(cause.with.begin(), cause.with.end(),
+                                        [](const Cause& c) { return !is_of_conversion(c); });
+    if (!is_of_conversion(cause) || of_engine == cause.with.end()) continue;
+    std::vector<Cause> others = std::move(cause.with);
+    cause.with.clear();
+    std::swap(cause, others[static_cast<std::size_t>(of_engine - others.begin())]);
+    cause.with = std::move(others);
   }
 }
 
@@ -305,15 +382,6 @@ void Attribution::blame_suspects() {
   }
 }
 
-/// "vertex-merged", "hole-wrong-parent"; of invalid results the broken invariant: "crossing".
-std::string rule_of(const Finding& finding) {
-  std::string rule = finding.invariant
-                         ? to_text(*finding.invariant)
-                         : to_text(finding.kind) + '-' + to_text(finding.disagreement);
-  std::replace(rule.begin(), rule.end(), ' ', '-');
-  return rule;
-}
-
 }  // namespace
 
 std::vector<Cause> attribute(const Comparison& comparison, const ExactComplex& exact_complex,
@@ -321,41 +389,6 @@ std::vector<Cause> attribute(const Comparison& comparison, const ExactComplex& e
                              const Converted& converted, std::size_t threads) {
   if (comparison.agree()) return {};
   return Attribution(comparison, exact_complex, float_complex, run, converted, threads).causes();
-}
-
-std::vector<Cause> attribute_conversion(const Comparison& conversion, const Comparison* parsed,
-                                        const ExactComplex& exact_complex) {
-  std::optional<compare_steps::WrongCells> wrong;
-  if (parsed) wrong.emplace(*parsed, exact_complex);
-  std::vector<Cause> causes;
-  for (const Finding& finding : conversion.findings) {
-    const bool by_parsing = !wrong || wrong->has(finding);
-    causes.push_back(by_parsing ? parsing() : transforming());
-  }
-  return causes;
-}
-
-std::vector<Cause> attribute_to_engine(const Comparison& comparison, const std::string& engine,
-                                       const ExactComplex& exact_complex,
-                                       const Converted& converted) {
-  const compare_steps::WrongCells wrong(converted.comparison, exact_complex);
-  std::vector<Cause> causes;
-  for (const Finding& finding : comparison.findings) {
-    const bool is_invalid = finding.disagreement == Disagreement::Invalid;
-    if (const auto same = is_invalid ? std::nullopt : wrong.same(finding)) {
-      causes.push_back(converted.causes[*same]);
-      continue;
-    }
-    Cause cause;
-    cause.stage = engine;
-    cause.rule = rule_of(finding);
-    cause.explanation = "rounding the drawing to doubles does not make it: its maker did";
-    if (finding.distance && *finding.distance > 0 && !is_invalid) {
-      cause.advice = fmt::format("a tolerance or grid below {:.3g} there", *finding.distance);
-    }
-    causes.push_back(std::move(cause));
-  }
-  return causes;
 }
 
 }  // namespace plumbline::check_steps

@@ -13,8 +13,9 @@ namespace plumbline::check_steps {
 /// faces.
 inline constexpr std::size_t kMostEdgesRunAgain = 20'000;
 
-/// The comparison of the rounded input, with the causes of its findings.
+/// The arrangement of the rounded input, its comparison and the causes of its findings.
 struct Converted {
+  const ExactComplex& complex;
   const Comparison& comparison;
   const std::vector<Cause>& causes;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/attribute.hpp"
+#include "check/try_radii.hpp"
 #include "check/without_drift.hpp"
 #include "compare/wrong_cells.hpp"
 #include "geometry/point_tree.hpp"
@@ -57,7 +58,8 @@ void compare_conversion(Check& result, const CheckOptions& options) {
 
 /// The stages that made the findings.
 void explain(Check& result, const CheckOptions& options) {
-  const check_steps::Converted converted{result.conversion, result.conversion_causes};
+  const check_steps::Converted converted{result.doubles_complex, result.conversion,
+                                         result.conversion_causes};
   if (!result.answer.trace) {
     result.causes = check_steps::attribute_to_engine(result.comparison, result.answer.engine,
                                                      result.exact_complex, converted);
@@ -118,6 +120,7 @@ Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
   explain(result, options);
   result.drift = drift(result.input, result.exact_complex);
   check_steps::take_from_drawing(result, options.threads);
+  check_steps::try_radii(result, options.tolerance, options.threads);
   add_failures(result);
   result.groups =
       group_findings(result.comparison, result.causes, result.exact_complex, result.answer.complex);

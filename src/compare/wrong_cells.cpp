@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "geometry/point_d.hpp"
 
@@ -27,6 +28,13 @@ std::size_t cell_count(const ExactComplex& complex, CellKind kind) {
   return 0;
 }
 
+/// Whether they are the same, if the cells of one are all cells of the other.
+bool is_alike(const Finding& finding, const Finding& other) {
+  return finding.disagreement == other.disagreement &&
+         finding.exact_cells.size() == other.exact_cells.size() &&
+         finding.float_cells.size() == other.float_cells.size();
+}
+
 }  // namespace
 
 bool takes_correspondence(const Finding& finding) {
@@ -45,11 +53,13 @@ WrongCells::WrongCells(const Comparison& comparison, const ExactComplex& exact_c
     const auto kind = static_cast<std::size_t>(finding.kind);
     for (const std::size_t cell : finding.exact_cells) {
       if (by_cell_[kind][cell] == 0) by_cell_[kind][cell] = i + 1;
+      in_findings_[kind].emplace_back(cell, i);
     }
     if (finding.exact_cells.empty()) {
       for (const SegmentId s : finding.segments) by_segment_[kind].emplace_back(s, i);
     }
   }
+  for (auto& list : in_findings_) std::sort(list.begin(), list.end());
   for (auto& list : by_segment_) std::sort(list.begin(), list.end());
 }
 
@@ -81,6 +91,32 @@ bool WrongCells::has_all(const Finding& finding) const {
   const auto& cells = by_cell_[static_cast<std::size_t>(finding.kind)];
   return std::all_of(finding.exact_cells.begin(), finding.exact_cells.end(),
                      [&](std::size_t cell) { return cells[cell] != 0; });
+}
+
+std::size_t WrongCells::extent(const Finding& finding) const {
+  if (finding.exact_cells.empty()) return has(finding) ? whole(finding) : 0;
+  const auto kind = static_cast<std::size_t>(finding.kind);
+  if (finding.kind == CellKind::Face || finding.kind == CellKind::Hole) {
+    const auto count = static_cast<std::size_t>(
+        std::count_if(finding.exact_cells.begin(), finding.exact_cells.end(),
+                      [&](std::size_t cell) { return by_cell_[kind][cell] != 0; }));
+    return count == finding.exact_cells.size() ? whole(finding) : count;
+  }
+  const auto& list = in_findings_[kind];
+  std::unordered_map<std::size_t, std::size_t> shared;  // by finding
+  std::size_t most = 0;
+  for (const std::size_t cell : finding.exact_cells) {
+    for (auto it = std::lower_bound(list.begin(), list.end(), std::pair(cell, std::size_t{0}));
+         it != list.end() && it->first == cell; ++it) {
+      const std::size_t count = ++shared[it->second];
+      most = std::max(most, count);
+      if (count == finding.exact_cells.size() &&
+          is_alike(finding, comparison_.findings[it->second])) {
+        return whole(finding);
+      }
+    }
+  }
+  return most;
 }
 
 bool WrongCells::has(const Finding& finding) const { return same(finding).has_value(); }

@@ -34,6 +34,13 @@ class WrongCells {
   bool has_all(const Finding& finding) const;
   /// The index of the first such finding; none if `has` is false.
   std::optional<std::size_t> same(const Finding& finding) const;
+  /// How much of it there is: 0 if `has` is false; the most of its exact cells that one finding of
+  /// its kind is about; `whole` if one has the same disagreement and exact cells and as many
+  /// others. Of faces and holes only how many are in any finding, `whole` for all of them, since
+  /// what became of them takes their correspondence; of cells that only the float side has 0 or
+  /// `whole`.
+  std::size_t extent(const Finding& finding) const;
+  static std::size_t whole(const Finding& finding) { return finding.exact_cells.size() + 1; }
 
  private:
   static constexpr std::size_t kKinds = 5;
@@ -41,8 +48,10 @@ class WrongCells {
   bool is_near(const Finding& finding, const Finding& other) const;
 
   const Comparison& comparison_;
-  /// Per kind and exact cell the finding that it is in, plus 1.
+  /// Per kind and exact cell the first finding that it is in, plus 1.
   std::array<std::vector<std::size_t>, kKinds> by_cell_;
+  /// Per kind the exact cells that are in findings, with each finding, ascending.
+  std::array<std::vector<std::pair<std::size_t, std::size_t>>, kKinds> in_findings_;
   /// Per kind the findings that have no exact cell, by segment.
   std::array<std::vector<std::pair<SegmentId, std::size_t>>, kKinds> by_segment_;
 };

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/radius_below.hpp"
 #include "engines/inters/explain/run.hpp"
 #include "geometry/point_d.hpp"
 
@@ -158,18 +157,18 @@ void ExplainedRun::explain_merge(const Finding& finding, Cause& cause) const {
           ? fmt::format("merging within {:.3g} made one vertex of {} that are up to {:.3g} apart",
                         radius, cluster->size, extent)
           : fmt::format("vertices within {:.3g} were merged", radius);
-  const std::string advice = engine_steps::radius_below(least);
+  if (cluster) cause.distance = least;
   if (crosses) {
-    set(cause, "fold-over", merged + ", which led edges across others", advice);
+    set(cause, "fold-over", merged + ", which led edges across others", "");
   } else if (extent > radius * (1 + kRounding)) {
-    set(cause, "chain-collapse", merged + ", each near the next", advice);
+    set(cause, "chain-collapse", merged + ", each near the next", "");
   } else if (finding.disagreement == Disagreement::Moved) {
     set(cause, "off-grid-mean", merged + "; their mean is none of them and off the grid",
         "keep one of the merged vertices");
   } else if (cluster && std::abs(least - radius) <= radius * kRounding) {
-    set(cause, "at-radius", merged + ", the radius itself, so that rounding decided", advice);
+    set(cause, "at-radius", merged + ", the radius itself, so that rounding decided", "");
   } else {
-    set(cause, "thin-part", merged, advice);
+    set(cause, "thin-part", merged, "");
   }
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/radius_below.hpp"
 #include "geometry/point_d.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/engines/lar_stages.hpp"
@@ -188,7 +187,7 @@ void ExplainedRun::explain_merge(const Finding& finding, Cause& cause) const {
   if (!merged) {
     cause.rule = "merged-within-radius";
     cause.explanation = fmt::format("vertices within the radius {:.3g} were merged", trace_.radius);
-    cause.advice = "a smaller radius keeps them apart";
+    cause.advice.clear();
     return;
   }
   const double extent = merged->extent;
@@ -205,10 +204,13 @@ void ExplainedRun::explain_merge(const Finding& finding, Cause& cause) const {
     cause.rule = "merged-within-radius";
   }
   cause.explanation = fmt::format(
-      "merging within the radius {:.3g} made one vertex of {} that are up to {:.3g} apart{}{}",
-      trace_.radius, merged->size, extent, extent > trace_.radius ? ", each near the next" : "",
+      "merging within the radius {:.3g} made one vertex of {} that are {}{:.3g} apart{}{}",
+      trace_.radius, merged->size, merged->size == 2 ? "" : "up to ",
+      merged->size == 2 ? merged->least_distance : extent,
+      extent > trace_.radius ? ", each near the next" : "",
       crosses ? ", which led edges across others" : "");
-  cause.advice = engine_steps::radius_below(merged->least_distance);
+  cause.distance = merged->least_distance;
+  cause.advice.clear();
 }
 
 /// The nearest bend of any edge within some radii; none where there is none.
@@ -251,7 +253,8 @@ void ExplainedRun::explain_meeting(const Finding& finding, Cause& cause) const {
     cause.explanation =
         fmt::format("within the radius {:.3g}, an edge was led through a vertex {:.3g} beside it",
                     trace_.radius, nearest_bend->distance);
-    cause.advice = engine_steps::radius_below(nearest_bend->distance);
+    cause.distance = nearest_bend->distance;
+    cause.advice.clear();
     return;
   }
   cause.rule = "missed-meeting";
