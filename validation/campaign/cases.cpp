@@ -9,12 +9,12 @@ constexpr std::size_t kFullPlaces = 2048;
 constexpr std::size_t kUsualSize = 256;
 constexpr std::size_t kDear = 4;
 
-/// All relations alike but the two that cost more than all the rest of a case.
+/// All relations alike but the two that cost more than all the rest of a case; no claims.
 Relation any_relation(Dice& dice) {
   constexpr std::size_t kSeldom = 64;
   if (dice.one_in(kSeldom)) return Relation::Threads;
   if (dice.one_in(kSeldom / 2)) return Relation::Noded;
-  constexpr std::size_t kOthers = kRelations.size() - 2;
+  constexpr std::size_t kOthers = kRelations.size() - 3;
   static_assert(kRelations[kOthers] == Relation::Noded);
   return kRelations[static_cast<std::size_t>(dice.pick(kOthers))];
 }
@@ -43,6 +43,7 @@ Case case_of(const Plan& plan, std::uint64_t number) {
   one.seed = static_cast<unsigned>(dice.roll());
   one.extent = dice.one_in(kUsualSize) ? inputs::Extent::Usual : inputs::Extent::Small;
   one.relation = any_relation(dice);
+  if (plan.claims) one.relation = Relation::Claims;
   one.dice = dice.roll();
   return one;
 }

@@ -13,6 +13,7 @@ namespace plumbline::campaign {
 struct Plan {
   std::vector<std::string> families;
   std::uint64_t seed = 1;
+  bool claims = false;  ///< asks nothing but Relation::Claims
 };
 
 /// One input and what it is asked.

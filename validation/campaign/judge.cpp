@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "campaign/claims.hpp"
 #include "checker/verify.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/output.hpp"
@@ -10,6 +11,7 @@ namespace plumbline::campaign {
 
 std::string what_is_wrong(const SegmentSet& input, Relation relation, std::uint64_t seed) try {
   const ExactComplex complex = arrange(input, ExactEngine::Bucket, {1, {}});
+  if (relation == Relation::Claims) return refuted_claim(input, complex, seed);
   if (complex != arrange(input, ExactEngine::Cgal)) return "the engines differ";
   for (const Violation& violation : validate(complex)) {
     return "broken invariant: " + to_text(violation.invariant);

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   app.add_option("--seed", plan.seed, "of the whole campaign");
   app.add_option("--family", plan.families, "only these; all if none is given")
       ->check(CLI::IsMember(inputs::families()));
+  app.add_flag("--claims", plan.claims, "what check claims of float LAR's answers, nothing else");
   app.add_option("--commit", commit, "what the summary calls the tested commit");
   CLI11_PARSE(app, argc, argv);
   if (plan.families.empty()) plan.families = inputs::families();

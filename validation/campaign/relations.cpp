@@ -179,6 +179,8 @@ std::string to_text(Relation relation) {
       return "threads";
     case Relation::Noded:
       return "noded";
+    case Relation::Claims:
+      return "claims";
   }
   return "";
 }
@@ -206,6 +208,8 @@ bool holds(Relation relation, const SegmentSet& input, const ExactComplex& compl
       return arranged(input, static_cast<std::size_t>(dice.between(2, 3))) == complex;
     case Relation::Noded:
       return noded_holds(complex);
+    case Relation::Claims:
+      break;
   }
   return false;
 }

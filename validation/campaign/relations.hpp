@@ -19,15 +19,17 @@ enum class Relation {
   TwoCopies,   ///< once more, far away
   Noded,       ///< the edges of the result as input: they are their own arrangement
   Threads,     ///< on two or three threads
+  Claims,      ///< what `check` claims of float LAR's answer (claims.hpp); only if asked for
 };
 inline constexpr std::array kRelations = {
-    Relation::Permuted, Relation::Reversed,  Relation::Duplicated, Relation::Split,
-    Relation::Mapped,   Relation::TwoCopies, Relation::Noded,      Relation::Threads};
+    Relation::Permuted, Relation::Reversed, Relation::Duplicated,
+    Relation::Split,    Relation::Mapped,   Relation::TwoCopies,
+    Relation::Noded,    Relation::Threads,  Relation::Claims};
 
 std::string to_text(Relation relation);
 
 /// Whether the relation holds between the input and its arrangement, for a choice of segment, map
-/// and so on that the seed determines.
+/// and so on that the seed determines. Of Claims it is the judge that says.
 bool holds(Relation relation, const SegmentSet& input, const ExactComplex& complex,
            std::uint64_t seed);
 

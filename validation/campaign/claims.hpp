@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "plumbline/complex.hpp"
+
+namespace plumbline::campaign {
+
+/// What `check` claims of float LAR's answer, at a radius that the seed determines, and a run or
+/// the definition refutes; empty if nothing is.
+///
+/// - Advice: the radius in the sentence is run, and the finding is not there; where the least
+/// radius
+///   is said not to help, it is.
+/// - A confirmed cause: with the output of its last stage (of itself and those in `with`) continued
+///   exactly, a finding has all the cells; with the input of one of them, none of its kind has one.
+/// - Rounding alone: of the doubles themselves the engine makes no such finding at the cells that
+///   rounding made.
+std::string refuted_claim(const SegmentSet& input, const ExactComplex& complex, std::uint64_t seed);
+
+}  // namespace plumbline::campaign
