@@ -92,6 +92,15 @@ TEST_CASE("a finding that parsing makes alone names parsing alone") {
   CHECK(result.causes[0].with.empty());
 }
 
+TEST_CASE("the drawing's digits are to blame only for what they make, not for all at their place") {
+  // With a radius of 30 all is one vertex, so far away that the others are missing; joining what
+  // the digits leave open would make one vertex of two.
+  const Check result = check_lar(segments("0 1 10 1  0 1.00000000000000000001 10 5"), 30);
+  REQUIRE(result.drift.places == 1);
+  CHECK(result.own_findings() == 0);
+  for (const Cause& cause : result.causes) CHECK(cause.stage == "prune");
+}
+
 TEST_CASE("a finding names the stages of what it follows from") {
   // A triangle whose foot is cut off by 1e-20, which parsing joins, and whose corner the radius
   // joins to another line: the face is reshaped by both.

@@ -109,6 +109,11 @@ class Attribution {
   void blame_invalid();
   void blame_invalid_cells();
   std::size_t owner_of_invalid(const Finding& finding) const;
+  bool are_about_faces(const std::vector<std::size_t>& findings) const {
+    return std::any_of(findings.begin(), findings.end(), [&](std::size_t i) {
+      return findings_[i].kind == CellKind::Face || findings_[i].kind == CellKind::Hole;
+    });
+  }
   bool take_correspondence(const std::vector<std::size_t>& findings) const {
     return std::any_of(findings.begin(), findings.end(), [&](std::size_t i) {
       return compare_steps::takes_correspondence(findings_[i]);
@@ -166,7 +171,7 @@ void Attribution::close_absent(std::size_t k) {
   if (const std::size_t with_work = changed(k); with_work > 0) {
     complex = run_.continued(outputs_[with_work], threads_);
     continued = compare_steps::compare_cells(exact_, *complex, comparison_.tolerance,
-                                             take_correspondence(open_));
+                                             are_about_faces(open_));
   }
   const Comparison& there = continued ? *continued : converted_.comparison;
   const compare_steps::WrongCells wrong(there, exact_);

@@ -9,13 +9,19 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "check/attribute.hpp"
 #include "compare/wrong_cells.hpp"
+#include "plumbline/error.hpp"
 
 namespace plumbline::check_steps {
 namespace {
 
-/// So many radii at first.
-constexpr std::size_t kQuantiles = 3;
+/// So many radii at first, of large drawings (kMostEdgesRunAgain) and of others; more of them say
+/// more exactly which radius a finding takes.
+constexpr std::size_t kFewQuantiles = 2, kQuantiles = 5;
+/// So many more where findings are left; between radii only for more than this part of all.
+constexpr std::size_t kMoreTrials = 3;
+constexpr double kFew = 0.01;
 /// Three digits are off by at most this part of a number.
 constexpr double kHalfUnit = 0.005;
 
@@ -42,7 +48,12 @@ bool is_of_engine(const Cause& cause) {
 class RadiusTrials {
  public:
   RadiusTrials(Check& check, std::optional<double> tolerance, std::size_t threads)
-      : check_(check), tolerance_(tolerance), threads_(threads), largest_(*check.answer.radius) {
+      : check_(check),
+        tolerance_(tolerance),
+        threads_(threads),
+        largest_(*check.answer.radius),
+        quantiles_(check.exact_complex.edge_count() > kMostEdgesRunAgain ? kFewQuantiles
+                                                                         : kQuantiles) {
     for (std::size_t i = 0; i < check.causes.size(); ++i) {
       if (is_of_engine(check.causes[i])) asked_.push_back(i);
     }
@@ -71,10 +82,11 @@ class RadiusTrials {
     std::sort(all.begin(), all.end());
     std::vector<double> result = all;
     result.erase(std::unique(result.begin(), result.end()), result.end());
-    if (result.size() > kQuantiles) {
+    if (result.size() > quantiles_) {
       result.clear();
-      for (std::size_t q = 0; q < kQuantiles; ++q)
-        result.push_back(all[q * all.size() / kQuantiles]);
+      for (std::size_t q = 0; q < quantiles_; ++q) {
+        result.push_back(all[q * all.size() / quantiles_]);
+      }
       result.erase(std::unique(result.begin(), result.end()), result.end());
     }
     std::reverse(result.begin(), result.end());
@@ -89,8 +101,11 @@ class RadiusTrials {
     std::vector<std::size_t> wanted;
     std::copy_if(findings.begin(), findings.end(), std::back_inserter(wanted),
                  [&](std::size_t i) { return check_.causes[i].radius_without.has_value(); });
+    if (!least_) return;
     double low = *least_;
-    while (!wanted.empty() && runs_ < kMostTrials) {
+    const bool are_few =
+        static_cast<double>(wanted.size()) < kFew * static_cast<double>(asked_.size());
+    while (!wanted.empty() && !are_few && runs_ < quantiles_ + kMoreTrials) {
       const double middle = three_digits_below(std::sqrt(low) * std::sqrt(high));
       if (!(middle > low && middle < high)) return;
       const std::vector<std::size_t> absent = absent_at(middle);
@@ -107,7 +122,8 @@ class RadiusTrials {
   Check& check_;
   const std::optional<double> tolerance_;
   const std::size_t threads_;
-  const double largest_;            ///< the radius of the answer, with which all are there
+  const double largest_;  ///< the radius of the answer, with which all are there
+  const std::size_t quantiles_;
   std::vector<std::size_t> asked_;  ///< the findings of the engine
   double lowest_ = largest_;        ///< of the radii known
   std::optional<double> least_;     ///< that there is, where it was tried
@@ -116,10 +132,16 @@ class RadiusTrials {
 
 std::vector<std::size_t> RadiusTrials::absent_at(double wanted) {
   ++runs_;
-  const RadiusTrial trial = check_.answer.with_radius(check_.input, wanted, threads_);
+  RadiusTrial trial;
+  try {
+    trial = check_.answer.with_radius(check_.input, wanted, threads_);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::Limit) return {};
+    throw;
+  }
   lowest_ = std::min(lowest_, trial.radius);
   double radius = wanted;
-  if (trial.radius > wanted) {  // raised: as this number is
+  if (trial.radius > wanted || wanted == 0) {  // raised: as this number is
     least_ = trial.radius;
     radius = three_digits_below(trial.radius);
   }

@@ -134,21 +134,25 @@ Cause of_drawing(const Drift& drift) {
   return cause;
 }
 
+/// Whether the findings that it follows from are the drawing's own, and it is there, all of it (of
+/// a face, that something is), without the drift.
+bool is_of_drift(const Finding& finding, const std::vector<bool>& is_own,
+                 const compare_steps::WrongCells& wrong, const Drift& drift) {
+  const bool is_far = finding.distance && *finding.distance > drift.bound;
+  if (finding.disagreement == Disagreement::Invalid || is_far) return false;
+  const auto is_known = [&](std::size_t number) { return is_own[number - 1]; };
+  if (!std::all_of(finding.because.begin(), finding.because.end(), is_known)) return false;
+  const bool is_of_faces = finding.kind == CellKind::Face || finding.kind == CellKind::Hole;
+  return (is_of_faces && !finding.because.empty()) || wrong.extent(finding) == wrong.whole(finding);
+}
+
 /// Requires: as many causes as findings, or none.
 void take_findings(const std::vector<Finding>& findings, std::vector<Cause>& causes,
                    const compare_steps::WrongCells& wrong, const Drift& drift) {
   std::vector<bool> is_own(causes.size());
   for (std::size_t i = 0; i < causes.size(); ++i) {
-    const Finding& finding = findings[i];
-    const bool is_far = finding.distance && *finding.distance > drift.bound;
-    if (finding.disagreement == Disagreement::Invalid || is_far) continue;
-    if (!std::all_of(finding.because.begin(), finding.because.end(),
-                     [&](std::size_t number) { return is_own[number - 1]; })) {
-      continue;
-    }
-    if (finding.because.empty() && !wrong.has_all(finding)) continue;
-    is_own[i] = true;
-    causes[i] = of_drawing(drift);
+    is_own[i] = is_of_drift(findings[i], is_own, wrong, drift);
+    if (is_own[i]) causes[i] = of_drawing(drift);
   }
 }
 

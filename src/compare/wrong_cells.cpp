@@ -86,22 +86,9 @@ bool WrongCells::is_near(const Finding& finding, const Finding& other) const {
   return distance(nearest(finding.where), nearest(other.where)) <= kReach * comparison_.tolerance;
 }
 
-bool WrongCells::has_all(const Finding& finding) const {
-  if (finding.exact_cells.empty()) return has(finding);
-  const auto& cells = by_cell_[static_cast<std::size_t>(finding.kind)];
-  return std::all_of(finding.exact_cells.begin(), finding.exact_cells.end(),
-                     [&](std::size_t cell) { return cells[cell] != 0; });
-}
-
 std::size_t WrongCells::extent(const Finding& finding) const {
   if (finding.exact_cells.empty()) return has(finding) ? whole(finding) : 0;
   const auto kind = static_cast<std::size_t>(finding.kind);
-  if (finding.kind == CellKind::Face || finding.kind == CellKind::Hole) {
-    const auto count = static_cast<std::size_t>(
-        std::count_if(finding.exact_cells.begin(), finding.exact_cells.end(),
-                      [&](std::size_t cell) { return by_cell_[kind][cell] != 0; }));
-    return count == finding.exact_cells.size() ? whole(finding) : count;
-  }
   const auto& list = in_findings_[kind];
   std::unordered_map<std::size_t, std::size_t> shared;  // by finding
   std::size_t most = 0;

@@ -29,16 +29,12 @@ class WrongCells {
   /// Whether there is a finding about the same: of the same kind, with a common exact cell or,
   /// for cells that only the float side has, a common segment.
   bool has(const Finding& finding) const;
-  /// Whether there are findings about all of its exact cells; for cells that only the float side
-  /// has, as `has`.
-  bool has_all(const Finding& finding) const;
   /// The index of the first such finding; none if `has` is false.
   std::optional<std::size_t> same(const Finding& finding) const;
   /// How much of it there is: 0 if `has` is false; the most of its exact cells that one finding of
   /// its kind is about; `whole` if one has the same disagreement and exact cells and as many
-  /// others. Of faces and holes only how many are in any finding, `whole` for all of them, since
-  /// what became of them takes their correspondence; of cells that only the float side has 0 or
-  /// `whole`.
+  /// others. Requires, of faces and holes: the comparison is one with their correspondence. Of
+  /// cells that only the float side has: 0 or `whole`.
   std::size_t extent(const Finding& finding) const;
   static std::size_t whole(const Finding& finding) { return finding.exact_cells.size() + 1; }
 

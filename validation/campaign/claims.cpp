@@ -60,24 +60,16 @@ bool has_part(const Comparison& comparison, const Finding& finding) {
       [&](const Finding& other) { return is_about(finding, other, comparison.tolerance); });
 }
 
-/// What became of faces is not held against it, only that something did.
 bool has_whole(const Comparison& comparison, const Finding& finding) {
   if (finding.exact_cells.empty()) return has_part(comparison, finding);
-  const bool is_face = finding.kind == CellKind::Face || finding.kind == CellKind::Hole;
-  std::vector<std::size_t> in_any;
-  for (const Finding& other : comparison.findings) {
-    if (!is_about(finding, other, comparison.tolerance)) continue;
-    in_any.insert(in_any.end(), other.exact_cells.begin(), other.exact_cells.end());
-    if (!is_face && other.disagreement == finding.disagreement &&
-        other.exact_cells.size() == finding.exact_cells.size() &&
-        other.float_cells.size() == finding.float_cells.size() &&
-        std::all_of(finding.exact_cells.begin(), finding.exact_cells.end(),
-                    [&](std::size_t cell) { return contains(other.exact_cells, cell); })) {
-      return true;
-    }
-  }
-  return is_face && std::all_of(finding.exact_cells.begin(), finding.exact_cells.end(),
-                                [&](std::size_t cell) { return contains(in_any, cell); });
+  return std::any_of(
+      comparison.findings.begin(), comparison.findings.end(), [&](const Finding& other) {
+        return other.kind == finding.kind && other.disagreement == finding.disagreement &&
+               other.exact_cells.size() == finding.exact_cells.size() &&
+               other.float_cells.size() == finding.float_cells.size() &&
+               std::all_of(finding.exact_cells.begin(), finding.exact_cells.end(),
+                           [&](std::size_t cell) { return contains(other.exact_cells, cell); });
+      });
 }
 
 bool is_of_conversion(const Cause& cause) {
@@ -95,7 +87,7 @@ class Claims {
       const Cause& cause = check_.causes[i];
       for (const std::string& wrong :
            {refuted_advice(finding, cause), refuted_cause(finding, cause),
-            refuted_rounding(finding, cause)}) {
+            refuted_rounding(finding, cause), refuted_drift(finding, cause)}) {
         if (!wrong.empty()) return wrong;
       }
     }
@@ -106,6 +98,7 @@ class Claims {
   std::string refuted_advice(const Finding& finding, const Cause& cause);
   std::string refuted_cause(const Finding& finding, const Cause& cause);
   std::string refuted_rounding(const Finding& finding, const Cause& cause) const;
+  std::string refuted_drift(const Finding& finding, const Cause& cause) const;
 
   bool is_there_with(double radius, const Finding& finding) {
     const auto known = runs_.find(radius);
@@ -183,7 +176,28 @@ std::string Claims::refuted_cause(const Finding& finding, const Cause& cause) {
   return "";
 }
 
-/// Finds rounding alone to blame, though the engine does the same to the doubles.
+/// Whether the engine changed only cells of the doubles that rounding had made wrong: then it
+/// mends.
+std::vector<bool> are_of_rounding(const Comparison& of_doubles, const Comparison& conversion) {
+  std::array<std::vector<std::size_t>, 5> wrong;  // per kind
+  for (const Finding& made : conversion.findings) {
+    auto& cells = wrong[static_cast<std::size_t>(made.kind)];
+    cells.insert(cells.end(), made.float_cells.begin(), made.float_cells.end());
+  }
+  std::vector<bool> result;
+  for (const Finding& f : of_doubles.findings) {
+    const auto& cells = wrong[static_cast<std::size_t>(f.kind)];
+    const bool is_known = f.because.empty()
+                              ? std::all_of(f.exact_cells.begin(), f.exact_cells.end(),
+                                            [&](std::size_t cell) { return contains(cells, cell); })
+                              : std::all_of(f.because.begin(), f.because.end(),
+                                            [&](std::size_t number) { return result[number - 1]; });
+    result.push_back(is_known);
+  }
+  return result;
+}
+
+/// Rounding alone is to blame, but the engine does such a thing to the doubles, too.
 std::string Claims::refuted_rounding(const Finding& finding, const Cause& cause) const {
   if (!is_of_conversion(cause) || !cause.with.empty() || is_invalid(finding)) return "";
   std::vector<std::size_t> cells;  // of the doubles
@@ -193,12 +207,39 @@ std::string Claims::refuted_rounding(const Finding& finding, const Cause& cause)
   }
   const Comparison of_doubles =
       compare(check_.doubles_complex, check_.answer.complex, check_.comparison.tolerance);
-  const bool is_there = std::any_of(
-      of_doubles.findings.begin(), of_doubles.findings.end(), [&](const Finding& other) {
-        return other.kind == finding.kind && other.disagreement == finding.disagreement &&
-               share(other.exact_cells, cells);
-      });
-  return is_there ? "rounding alone is to blame, but the engine does it to the doubles, too" : "";
+  const std::vector<bool> is_mended = are_of_rounding(of_doubles, check_.conversion);
+  for (std::size_t i = 0; i < of_doubles.findings.size(); ++i) {
+    const Finding& other = of_doubles.findings[i];
+    if (other.kind == finding.kind && other.disagreement == finding.disagreement &&
+        share(other.exact_cells, cells) && !is_mended[i]) {
+      return "rounding alone is to blame, but the engine does it to the doubles, too";
+    }
+  }
+  return "";
+}
+
+/// Vertices that the drawing's digits are to blame for are of one place of the drift, or beside an
+/// edge.
+std::string Claims::refuted_drift(const Finding& finding, const Cause& cause) const {
+  if (cause.stage != kDrawing || finding.kind != CellKind::Vertex) return "";
+  const Drift& drift = check_.drift;
+  const auto stands_for = [&](std::size_t v) { return drift.stands_for[v]; };
+  std::vector<std::size_t> lone;
+  for (const std::size_t v : finding.exact_cells) {
+    const auto is_of_place = [&](std::size_t w) {
+      return w != v && stands_for(w) == stands_for(v);
+    };
+    bool is_known = std::any_of(drift.beside.begin(), drift.beside.end(),
+                                [&](const auto& pair) { return pair.second == v; });
+    for (std::size_t w = 0; w < drift.stands_for.size(); ++w) is_known |= is_of_place(w);
+    if (!is_known) lone.push_back(v);
+  }
+  const bool is_merged = finding.disagreement == Disagreement::Merged;
+  const bool is_one_place = std::all_of(
+      finding.exact_cells.begin(), finding.exact_cells.end(),
+      [&](std::size_t v) { return stands_for(v) == stands_for(finding.exact_cells.front()); });
+  const bool is_right = is_merged ? is_one_place : lone.empty();
+  return is_right ? "" : "the drawing's digits are to blame for a vertex that they do not move";
 }
 
 }  // namespace

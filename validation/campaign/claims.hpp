@@ -15,8 +15,9 @@ namespace plumbline::campaign {
 ///   is said not to help, it is.
 /// - A confirmed cause: with the output of its last stage (of itself and those in `with`) continued
 ///   exactly, a finding has all the cells; with the input of one of them, none of its kind has one.
-/// - Rounding alone: of the doubles themselves the engine makes no such finding at the cells that
-///   rounding made.
+/// - Rounding alone: to the doubles themselves the engine does no such thing at the cells that
+///   rounding made, unless it changes nothing but what rounding had made wrong.
+/// - The drawing's own digits: what is a vertex's is of one place of the drift.
 std::string refuted_claim(const SegmentSet& input, const ExactComplex& complex, std::uint64_t seed);
 
 }  // namespace plumbline::campaign
