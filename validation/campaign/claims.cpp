@@ -98,6 +98,7 @@ class Claims {
   std::string refuted_advice(const Finding& finding, const Cause& cause);
   std::string refuted_cause(const Finding& finding, const Cause& cause);
   std::string refuted_rounding(const Finding& finding, const Cause& cause) const;
+  bool is_blamed(const Finding& of_doubles) const;
   std::string refuted_drift(const Finding& finding, const Cause& cause) const;
 
   bool is_there_with(double radius, const Finding& finding) {
@@ -197,6 +198,20 @@ std::vector<bool> are_of_rounding(const Comparison& of_doubles, const Comparison
   return result;
 }
 
+/// Whether the engine is to blame for such a finding at the same cells of its answer.
+bool Claims::is_blamed(const Finding& of_doubles) const {
+  for (std::size_t i = 0; i < check_.causes.size(); ++i) {
+    const Finding& finding = check_.comparison.findings[i];
+    const Cause& cause = check_.causes[i];
+    if (is_of_conversion(cause) && cause.with.empty()) continue;
+    if (finding.kind == of_doubles.kind && finding.disagreement == of_doubles.disagreement &&
+        share(finding.float_cells, of_doubles.float_cells)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Rounding alone is to blame, but the engine does such a thing to the doubles, too.
 std::string Claims::refuted_rounding(const Finding& finding, const Cause& cause) const {
   if (!is_of_conversion(cause) || !cause.with.empty() || is_invalid(finding)) return "";
@@ -211,7 +226,7 @@ std::string Claims::refuted_rounding(const Finding& finding, const Cause& cause)
   for (std::size_t i = 0; i < of_doubles.findings.size(); ++i) {
     const Finding& other = of_doubles.findings[i];
     if (other.kind == finding.kind && other.disagreement == finding.disagreement &&
-        share(other.exact_cells, cells) && !is_mended[i]) {
+        share(other.exact_cells, cells) && !is_mended[i] && !is_blamed(other)) {
       return "rounding alone is to blame, but the engine does it to the doubles, too";
     }
   }
