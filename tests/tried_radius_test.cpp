@@ -5,6 +5,8 @@
 
 #include "plumbline/check.hpp"
 #include "plumbline/output.hpp"
+#include "plumbline/read.hpp"
+#include "plumbline/structure.hpp"
 #include "support/engine_checks.hpp"
 #include "support/segments.hpp"
 
@@ -82,7 +84,7 @@ TEST_CASE("a finding that parsing makes a part of names the stage that made the 
   CHECK(cause.with[0].rule == "decimal-to-double");
   // What parsing made stays with any radius.
   CHECK_FALSE(cause.radius_without);
-  CHECK(to_text(result).find("with parse: ") != std::string::npos);
+  CHECK(to_text(result).find("prune and parse: ") != std::string::npos);
 }
 
 TEST_CASE("a finding that parsing makes alone names parsing alone") {
@@ -95,7 +97,8 @@ TEST_CASE("a finding that parsing makes alone names parsing alone") {
 TEST_CASE("the drawing's digits are to blame only for what they make, not for all at their place") {
   // With a radius of 30 all is one vertex, so far away that the others are missing; joining what
   // the digits leave open would make one vertex of two.
-  const Check result = check_lar(segments("0 1 10 1  0 1.00000000000000000001 10 5"), 30);
+  const Structure drawing = read_lines("0,1,10,1\n0,1.00000000000000000001,10,5\n", "text");
+  const Check result = check_lar(evaluate(drawing), 30);
   REQUIRE(result.drift.places == 1);
   CHECK(result.own_findings() == 0);
   for (const Cause& cause : result.causes) CHECK(cause.stage == "prune");

@@ -63,8 +63,9 @@ struct Cause {
   std::optional<bool> remade = {};
   /// Of a stage that joins what is near: how far apart what it joined there is. **Rounded**.
   std::optional<double> distance = {};
-  /// A radius with which the engine was run, and the finding was not there: the largest of those
-  /// tried. None: there is none among them, or none were tried.
+  /// The largest radius with which the engine was run and the finding was not there, nor with any
+  /// smaller one that was tried; so with the least of some findings none of them was there. None:
+  /// there is no such radius, or none were tried.
   std::optional<double> radius_without = {};
   /// Other stages that have a part in the finding, or in what it follows from, as causes without
   /// further ones.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <map>
 
 #include "check/attribute.hpp"
 #include "compare/wrong_cells.hpp"
@@ -62,10 +63,12 @@ class RadiusTrials {
   void run() && {
     if (asked_.empty()) return;
     for (const double radius : proposed()) absent_at(radius);
+    conclude();
     std::vector<std::size_t> left;
     std::copy_if(asked_.begin(), asked_.end(), std::back_inserter(left),
                  [&](std::size_t i) { return !check_.causes[i].radius_without; });
     if (!left.empty()) search_down(left);
+    conclude();
     for (const std::size_t i : asked_) advise(check_.causes[i]);
   }
 
@@ -96,13 +99,13 @@ class RadiusTrials {
   /// From the least radius there is upwards, by halving the digits between, for those of the
   /// findings that are not there with the least.
   void search_down(const std::vector<std::size_t>& findings) {
-    double high = lowest_;
     if (!least_) absent_at(0);
+    if (!least_ || *least_ >= largest_) return;
+    const std::vector<std::size_t>& with_least = tried_.begin()->second;
     std::vector<std::size_t> wanted;
-    std::copy_if(findings.begin(), findings.end(), std::back_inserter(wanted),
-                 [&](std::size_t i) { return check_.causes[i].radius_without.has_value(); });
-    if (!least_) return;
-    double low = *least_;
+    std::set_intersection(findings.begin(), findings.end(), with_least.begin(), with_least.end(),
+                          std::back_inserter(wanted));
+    double low = *least_, high = tried_.size() > 1 ? std::next(tried_.begin())->first : largest_;
     const bool are_few =
         static_cast<double>(wanted.size()) < kFew * static_cast<double>(asked_.size());
     while (!wanted.empty() && !are_few && runs_ < quantiles_ + kMoreTrials) {
@@ -117,6 +120,7 @@ class RadiusTrials {
   /// The findings that are not there when the engine runs with this radius.
   std::vector<std::size_t> absent_at(double wanted);
   std::vector<std::size_t> absent_from(const RadiusTrial& trial) const;
+  void conclude();
   void advise(Cause& cause) const;
 
   Check& check_;
@@ -124,9 +128,9 @@ class RadiusTrials {
   const std::size_t threads_;
   const double largest_;  ///< the radius of the answer, with which all are there
   const std::size_t quantiles_;
-  std::vector<std::size_t> asked_;  ///< the findings of the engine
-  double lowest_ = largest_;        ///< of the radii known
-  std::optional<double> least_;     ///< that there is, where it was tried
+  std::vector<std::size_t> asked_;                    ///< the findings of the engine
+  std::optional<double> least_;                       ///< that there is, where it was tried
+  std::map<double, std::vector<std::size_t>> tried_;  ///< the findings that are not there
   std::size_t runs_ = 0;
 };
 
@@ -139,19 +143,25 @@ std::vector<std::size_t> RadiusTrials::absent_at(double wanted) {
     if (error.code() == ErrorCode::Limit) return {};
     throw;
   }
-  lowest_ = std::min(lowest_, trial.radius);
   double radius = wanted;
   if (trial.radius > wanted || wanted == 0) {  // raised: as this number is
     least_ = trial.radius;
     radius = three_digits_below(trial.radius);
   }
   if (trial.radius >= largest_) return {};
-  std::vector<std::size_t> absent = absent_from(trial);
-  for (const std::size_t i : absent) {
-    std::optional<double>& known = check_.causes[i].radius_without;
-    known = std::max(known.value_or(radius), radius);
+  return tried_[radius] = absent_from(trial);
+}
+
+/// Down to no radius may the finding be there again: then what holds for two holds for both.
+void RadiusTrials::conclude() {
+  for (const std::size_t i : asked_) {
+    std::optional<double>& without = check_.causes[i].radius_without;
+    without.reset();
+    for (const auto& [radius, absent] : tried_) {
+      if (!std::binary_search(absent.begin(), absent.end(), i)) break;
+      without = radius;
+    }
   }
-  return absent;
 }
 
 std::vector<std::size_t> RadiusTrials::absent_from(const RadiusTrial& trial) const {

@@ -73,13 +73,14 @@ std::string where_text(const FindingGroup& group, const Check& check) {
   return text;
 }
 
-/// A radius with which none of the findings was there, as far as they were tried.
+/// A radius with which none of the findings was there, if there is one for each.
 std::optional<double> radius_without(const FindingGroup& group, const Check& check) {
   std::optional<double> least;
   for (const std::size_t number : group.findings) {
     if (number > check.causes.size()) return {};
     const auto& radius = check.causes[number - 1].radius_without;
-    if (radius && (!least || *radius < *least)) least = radius;
+    if (!radius) return {};
+    if (!least || *radius < *least) least = radius;
   }
   return least;
 }
@@ -89,7 +90,11 @@ std::string cause_text(const FindingGroup& group, const Check& check) {
   if (group.lead > check.causes.size()) return "";
   const Cause& cause = check.causes[group.lead - 1];
   std::set<std::string> stages;
-  for (const std::size_t number : group.findings) stages.insert(check.causes[number - 1].stage);
+  for (const std::size_t number : group.findings) {
+    const Cause& known = check.causes[number - 1];
+    stages.insert(known.stage);
+    for (const Cause& other : known.with) stages.insert(other.stage);
+  }
   stages.erase(cause.stage);
   std::string text = cause.stage;
   for (const std::string& stage : stages) text += " and " + stage;
