@@ -40,6 +40,11 @@ bool share(const std::vector<std::size_t>& cells, const std::vector<std::size_t>
                      [&](std::size_t cell) { return contains(others, cell); });
 }
 
+bool has_common(const std::vector<SegmentId>& segments, const std::vector<SegmentId>& others) {
+  return std::find_first_of(segments.begin(), segments.end(), others.begin(), others.end()) !=
+         segments.end();
+}
+
 bool is_invalid(const Finding& finding) { return finding.disagreement == Disagreement::Invalid; }
 
 /// Whether the other finding is about a part of the same.
@@ -47,10 +52,8 @@ bool is_about(const Finding& finding, const Finding& other, double tolerance) {
   if (is_invalid(other) || other.kind != finding.kind) return false;
   if (!finding.exact_cells.empty()) return share(finding.exact_cells, other.exact_cells);
   if (!other.exact_cells.empty()) return false;
-  std::vector<SegmentId> common;
-  std::set_intersection(finding.segments.begin(), finding.segments.end(), other.segments.begin(),
-                        other.segments.end(), std::back_inserter(common));
-  if (common.empty() || finding.kind != CellKind::Vertex || tolerance == 0) return !common.empty();
+  const bool is_common = has_common(finding.segments, other.segments);
+  if (!is_common || finding.kind != CellKind::Vertex || tolerance == 0) return is_common;
   return nearest_sqrt(squared_distance(finding.where, other.where)) <= kReach * tolerance;
 }
 
@@ -60,16 +63,19 @@ bool has_part(const Comparison& comparison, const Finding& finding) {
       [&](const Finding& other) { return is_about(finding, other, comparison.tolerance); });
 }
 
+/// Whether the other finding is the same, of the same cells.
+bool is_alike(const Finding& finding, const Finding& other) {
+  return other.kind == finding.kind && other.disagreement == finding.disagreement &&
+         other.exact_cells.size() == finding.exact_cells.size() &&
+         other.float_cells.size() == finding.float_cells.size() &&
+         std::all_of(finding.exact_cells.begin(), finding.exact_cells.end(),
+                     [&](std::size_t cell) { return contains(other.exact_cells, cell); });
+}
+
 bool has_whole(const Comparison& comparison, const Finding& finding) {
   if (finding.exact_cells.empty()) return has_part(comparison, finding);
-  return std::any_of(
-      comparison.findings.begin(), comparison.findings.end(), [&](const Finding& other) {
-        return other.kind == finding.kind && other.disagreement == finding.disagreement &&
-               other.exact_cells.size() == finding.exact_cells.size() &&
-               other.float_cells.size() == finding.float_cells.size() &&
-               std::all_of(finding.exact_cells.begin(), finding.exact_cells.end(),
-                           [&](std::size_t cell) { return contains(other.exact_cells, cell); });
-      });
+  return std::any_of(comparison.findings.begin(), comparison.findings.end(),
+                     [&](const Finding& other) { return is_alike(finding, other); });
 }
 
 bool is_of_conversion(const Cause& cause) {
@@ -99,6 +105,7 @@ class Claims {
   std::string refuted_cause(const Finding& finding, const Cause& cause);
   std::string refuted_rounding(const Finding& finding, const Cause& cause) const;
   bool is_blamed(const Finding& of_doubles) const;
+  std::vector<bool> accounted_for(const Comparison& of_doubles) const;
   std::string refuted_drift(const Finding& finding, const Cause& cause) const;
 
   bool is_there_with(double radius, const Finding& finding) {
@@ -177,39 +184,43 @@ std::string Claims::refuted_cause(const Finding& finding, const Cause& cause) {
   return "";
 }
 
-/// Whether the engine changed only cells of the doubles that rounding had made wrong: then it
-/// mends.
-std::vector<bool> are_of_rounding(const Comparison& of_doubles, const Comparison& conversion) {
+/// Whether the engine is to blame for such a finding at the same cells of its answer, or, where it
+/// left none, of the same segments.
+bool Claims::is_blamed(const Finding& of_doubles) const {
+  for (std::size_t i = 0; i < check_.causes.size(); ++i) {
+    const Finding& finding = check_.comparison.findings[i];
+    const Cause& cause = check_.causes[i];
+    if (is_of_conversion(cause) && cause.with.empty()) continue;
+    if (finding.kind != of_doubles.kind || finding.disagreement != of_doubles.disagreement)
+      continue;
+    const bool has_cells = !finding.float_cells.empty() || !of_doubles.float_cells.empty();
+    if (has_cells ? share(finding.float_cells, of_doubles.float_cells)
+                  : has_common(finding.segments, of_doubles.segments)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Which findings about the doubles are accounted for: the engine is to blame for such a finding,
+/// or changed nothing but what rounding had made wrong, or both are true of what it follows from.
+std::vector<bool> Claims::accounted_for(const Comparison& of_doubles) const {
   std::array<std::vector<std::size_t>, 5> wrong;  // per kind
-  for (const Finding& made : conversion.findings) {
+  for (const Finding& made : check_.conversion.findings) {
     auto& cells = wrong[static_cast<std::size_t>(made.kind)];
     cells.insert(cells.end(), made.float_cells.begin(), made.float_cells.end());
   }
   std::vector<bool> result;
   for (const Finding& f : of_doubles.findings) {
     const auto& cells = wrong[static_cast<std::size_t>(f.kind)];
-    const bool is_known = f.because.empty()
-                              ? std::all_of(f.exact_cells.begin(), f.exact_cells.end(),
-                                            [&](std::size_t cell) { return contains(cells, cell); })
-                              : std::all_of(f.because.begin(), f.because.end(),
-                                            [&](std::size_t number) { return result[number - 1]; });
-    result.push_back(is_known);
+    const auto is_wrong = [&](std::size_t cell) { return contains(cells, cell); };
+    const auto is_known = [&](std::size_t number) { return result[number - 1]; };
+    const bool is_mended = f.because.empty()
+                               ? std::all_of(f.exact_cells.begin(), f.exact_cells.end(), is_wrong)
+                               : std::all_of(f.because.begin(), f.because.end(), is_known);
+    result.push_back(is_mended || is_blamed(f));
   }
   return result;
-}
-
-/// Whether the engine is to blame for such a finding at the same cells of its answer.
-bool Claims::is_blamed(const Finding& of_doubles) const {
-  for (std::size_t i = 0; i < check_.causes.size(); ++i) {
-    const Finding& finding = check_.comparison.findings[i];
-    const Cause& cause = check_.causes[i];
-    if (is_of_conversion(cause) && cause.with.empty()) continue;
-    if (finding.kind == of_doubles.kind && finding.disagreement == of_doubles.disagreement &&
-        share(finding.float_cells, of_doubles.float_cells)) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// Rounding alone is to blame, but the engine does such a thing to the doubles, too.
@@ -217,16 +228,16 @@ std::string Claims::refuted_rounding(const Finding& finding, const Cause& cause)
   if (!is_of_conversion(cause) || !cause.with.empty() || is_invalid(finding)) return "";
   std::vector<std::size_t> cells;  // of the doubles
   for (const Finding& other : check_.conversion.findings) {
-    if (!is_about(finding, other, check_.comparison.tolerance)) continue;
+    if (!is_alike(finding, other)) continue;
     cells.insert(cells.end(), other.float_cells.begin(), other.float_cells.end());
   }
   const Comparison of_doubles =
       compare(check_.doubles_complex, check_.answer.complex, check_.comparison.tolerance);
-  const std::vector<bool> is_mended = are_of_rounding(of_doubles, check_.conversion);
+  const std::vector<bool> is_known = accounted_for(of_doubles);
   for (std::size_t i = 0; i < of_doubles.findings.size(); ++i) {
     const Finding& other = of_doubles.findings[i];
     if (other.kind == finding.kind && other.disagreement == finding.disagreement &&
-        share(other.exact_cells, cells) && !is_mended[i] && !is_blamed(other)) {
+        share(other.exact_cells, cells) && !is_known[i]) {
       return "rounding alone is to blame, but the engine does it to the doubles, too";
     }
   }
