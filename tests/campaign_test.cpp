@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "campaign/child.hpp"
+#include "campaign/claims.hpp"
 #include "campaign/dice.hpp"
 #include "campaign/images.hpp"
 #include "campaign/minimise.hpp"
@@ -11,6 +12,8 @@
 #include "inputs/families.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/output.hpp"
+#include "support/engine_checks.hpp"
+#include "support/segments.hpp"
 
 using namespace plumbline;
 using namespace plumbline::campaign;
@@ -73,8 +76,38 @@ TEST_CASE("every relation holds for a right complex and fails for one with a ver
   for (const Relation relation : kRelations) {
     CAPTURE(to_text(relation));
     for (std::uint64_t seed = 0; seed < 20; ++seed) CHECK(holds(relation, kInput, right, seed));
-    CHECK_FALSE(holds(relation, kInput, wrong, 1));
+    // Claims are about an answer, whatever it is held against.
+    if (relation != Relation::Claims) CHECK_FALSE(holds(relation, kInput, wrong, 1));
   }
+}
+
+TEST_CASE("claims that are forged are refuted") {
+  // Two ends 0.01 apart, which the radius of 0.1 merges.
+  const Check right = check_lar(segments("0 0 1 0  1.01 0 2 0"), 0.1);
+  REQUIRE(right.causes.size() == 1);
+  CHECK(refuted_claim(right) == "");
+  const auto refuted = [&](auto forge) {
+    Check forged = right;
+    forge(forged.causes[0]);
+    return refuted_claim(forged) != "";
+  };
+  CHECK(refuted([](Cause& cause) { cause.radius_without = 0.05; }));
+  CHECK(refuted([](Cause& cause) { cause.advice = "with radius 0.05 it is not there (tried)"; }));
+  CHECK(refuted([](Cause& cause) { cause.advice = "with the least radius that there is, 0"; }));
+  CHECK(refuted([](Cause& cause) { cause.advice = "a radius below 0.01 keeps them apart"; }));
+  CHECK(refuted([](Cause& cause) { cause.stage = "intersect"; }));
+  CHECK(refuted([](Cause& cause) { cause.round = 2; }));
+  CHECK(refuted([](Cause& cause) { cause.stage = kParse; }));
+  CHECK(refuted([](Cause& cause) { cause.stage = kDrawing; }));
+}
+
+TEST_CASE("a finding that rounding makes a part of is refuted as rounding's alone") {
+  Check check = check_lar(segments("0 1 10 1  0 1.00000000000000000001 10 5  0 1.005 -3 9"));
+  REQUIRE(check.causes.size() == 1);
+  CHECK(refuted_claim(check) == "");
+  const Cause parse = check.causes[0].with.at(0);
+  check.causes[0] = parse;
+  CHECK(refuted_claim(check) != "");
 }
 
 TEST_CASE("an input is made small: what can be left out goes, numbers become short") {

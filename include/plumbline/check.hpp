@@ -84,9 +84,10 @@ inline constexpr double kToleranceOfAnswers = 1e-9;
 /// added to the input's `rejected`, its title to the input's files. Causes are kParse or kTransform
 /// where rounding to doubles alone makes the finding, else a stage of the engine, confirmed by
 /// exact continuation; of an engine without stages the engine itself; and before all of these
-/// kDrawing where the file's digits do not tell apart what the finding is about. Cost: that of
-/// `arrange` and two `compare`, and where they disagree for each stage an arrangement and a
-/// comparison. Throws: as `arrange`, `compare`.
+/// kDrawing where the file's digits alone make it. Causes of an engine with `with_radius` say with
+/// which radius the finding is not there, which was tried. Cost: that of `arrange` and two
+/// `compare`, and where they disagree for each stage an arrangement and a comparison, and as many
+/// runs with smaller radii, eight at most. Throws: as `arrange`, `compare`.
 Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
             const CheckOptions& options = {});
 

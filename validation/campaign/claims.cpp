@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "campaign/dice.hpp"
-#include "plumbline/check.hpp"
 #include "plumbline/engines/lar.hpp"
 
 namespace plumbline::campaign {
@@ -248,7 +247,9 @@ std::string Claims::refuted_rounding(const Finding& finding, const Cause& cause)
 /// edge.
 std::string Claims::refuted_drift(const Finding& finding, const Cause& cause) const {
   if (cause.stage != kDrawing || finding.kind != CellKind::Vertex) return "";
+  constexpr const char* kWrong = "the drawing's digits are to blame for a vertex they do not move";
   const Drift& drift = check_.drift;
+  if (drift.stands_for.empty()) return kWrong;
   const auto stands_for = [&](std::size_t v) { return drift.stands_for[v]; };
   std::vector<std::size_t> lone;
   for (const std::size_t v : finding.exact_cells) {
@@ -265,7 +266,7 @@ std::string Claims::refuted_drift(const Finding& finding, const Cause& cause) co
       finding.exact_cells.begin(), finding.exact_cells.end(),
       [&](std::size_t v) { return stands_for(v) == stands_for(finding.exact_cells.front()); });
   const bool is_right = is_merged ? is_one_place : lone.empty();
-  return is_right ? "" : "the drawing's digits are to blame for a vertex that they do not move";
+  return is_right ? "" : kWrong;
 }
 
 }  // namespace
@@ -279,7 +280,9 @@ std::string refuted_claim(const SegmentSet& input, const ExactComplex& complex,
   options.threads = 1;
   const Check checked =
       check(input, complex, answer_of(lar::engine(), input, parameters, 1), options);
-  return Claims(checked).refuted();
+  return refuted_claim(checked);
 }
+
+std::string refuted_claim(const Check& check) { return Claims(check).refuted(); }
 
 }  // namespace plumbline::campaign

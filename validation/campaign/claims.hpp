@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "plumbline/complex.hpp"
+#include "plumbline/check.hpp"
 
 namespace plumbline::campaign {
 
@@ -20,5 +20,7 @@ namespace plumbline::campaign {
 ///   another such finding there.
 /// - The drawing's own digits: what is a vertex's is of one place of the drift.
 std::string refuted_claim(const SegmentSet& input, const ExactComplex& complex, std::uint64_t seed);
+/// The same of a check. Requires: of float LAR, with its own tolerance.
+std::string refuted_claim(const Check& check);
 
 }  // namespace plumbline::campaign

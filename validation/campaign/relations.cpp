@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "campaign/claims.hpp"
 #include "campaign/dice.hpp"
 #include "campaign/images.hpp"
 #include "plumbline/arrange.hpp"
@@ -209,7 +210,7 @@ bool holds(Relation relation, const SegmentSet& input, const ExactComplex& compl
     case Relation::Noded:
       return noded_holds(complex);
     case Relation::Claims:
-      break;
+      return refuted_claim(input, complex, seed).empty();
   }
   return false;
 }

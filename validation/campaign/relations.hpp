@@ -29,7 +29,7 @@ inline constexpr std::array kRelations = {
 std::string to_text(Relation relation);
 
 /// Whether the relation holds between the input and its arrangement, for a choice of segment, map
-/// and so on that the seed determines. Of Claims it is the judge that says.
+/// and so on that the seed determines.
 bool holds(Relation relation, const SegmentSet& input, const ExactComplex& complex,
            std::uint64_t seed);
 
