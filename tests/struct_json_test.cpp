@@ -113,6 +113,10 @@ TEST_CASE("malformed structures are refused with their place") {
       {with_body(R"({"lines": [[[0, 0], [1, 1], [2, 2]]]})"), "not two points of the plane"},
       {with_body(R"({"shape": []})"), "a grid of dimension 0"},
       {with_body(R"({"lines": [[[0, 0], [1, 1]]], "rows": [[1, 2, 2]]})"), "not as many segments"},
+      {with_body(R"({"lines": [[[0, 0], [1, 1]]], "rings": [[0, 1, "disc"]]})"),
+       "not polygon, part"},
+      {with_body(R"({"lines": [[[0, 0], [1, 1]]], "rings": [[0, 2, "line"]]})"),
+       "not the lines of a"},
       {with_body("7"), "not an object: \"7\""},
       {R"({"root": "S", "defs": )", "not JSON"},
   }));

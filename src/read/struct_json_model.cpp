@@ -115,8 +115,30 @@ void read_rows(const JsonValue& rows, Model& model) {
   if (segments != model.segments.size()) rows.fail("not as many segments in rows as lines");
 }
 
+void read_rings(const JsonValue& rings, Model& model) {
+  expect(rings, JsonType::Array, "a list of rings");
+  std::size_t end = 0;
+  for (JsonValue ring = rings.first(); ring; ring = ring.next()) {
+    expect(ring, JsonType::Array, "a first line, a count and what it bounds");
+    if (ring.size() != 3) ring.fail("not a first line, a count and what it bounds");
+    const JsonValue first = ring.first(), count = first.next();
+    const std::string name = string_of(count.next());
+    Ring result{index_of(first), index_of(count), RingRole::Polygon};
+    while (name != to_text(result.role)) {
+      if (result.role == RingRole::Line) ring.fail("not polygon, part, hole or line");
+      result.role = static_cast<RingRole>(static_cast<int>(result.role) + 1);
+    }
+    const std::size_t size = model.segments.size();
+    if (result.first < end || result.first > size || result.count > size - result.first) {
+      ring.fail("not the lines of a ring behind the one before it");
+    }
+    end = std::size_t{result.first} + result.count;
+    model.rings.push_back(result);
+  }
+}
+
 Model lines(const JsonValue& value, const std::vector<std::string>& files, Numbers& numbers) {
-  expect_members(value, {"type", "lines", "rows"});
+  expect_members(value, {"type", "lines", "rows", "rings"});
   Model result;
   result.source = source_of(value, "lines", files);
   const JsonValue list = value.find("lines");
@@ -135,6 +157,7 @@ Model lines(const JsonValue& value, const std::vector<std::string>& files, Numbe
                               {std::move(x[2]), std::move(x[3])});
   }
   if (const JsonValue rows = value.find("rows")) read_rows(rows, result);
+  if (const JsonValue rings = value.find("rings")) read_rings(rings, result);
   return result;
 }
 

@@ -12,6 +12,21 @@ enum class RingRole : std::uint8_t {
   Line,     ///< a closed line that is no part of a polygon
 };
 
+/// "polygon", "part", "hole", "line".
+constexpr const char* to_text(RingRole role) {
+  switch (role) {
+    case RingRole::Polygon:
+      return "polygon";
+    case RingRole::Part:
+      return "part";
+    case RingRole::Hole:
+      return "hole";
+    case RingRole::Line:
+      break;
+  }
+  return "line";
+}
+
 /// Segments of which each starts where the one before it ends. Only a ring that the drawing does
 /// not close ends elsewhere than it starts.
 struct Ring {

@@ -60,7 +60,13 @@ auto lines_members(const Model& model) {
   };
   return members(
       source_members(model.source), member("lines", list(model.segments.size(), line)),
-      when(!model.rows.empty(), [&model, row] { return member("rows", list(model.rows, row)); }));
+      when(!model.rows.empty(), [&model, row] { return member("rows", list(model.rows, row)); }),
+      when(!model.rings.empty(), [&model] {
+        return member("rings", list(model.rings, [](const Ring& ring) {
+                        return std::tuple(ring.first, ring.count,
+                                          std::string_view(to_text(ring.role)));
+                      }));
+      }));
 }
 
 /// A name for each Struct: its own where no earlier one has it, else one with its number.
