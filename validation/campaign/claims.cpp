@@ -102,7 +102,7 @@ class Claims {
  private:
   std::string refuted_advice(const Finding& finding, const Cause& cause);
   std::string refuted_cause(const Finding& finding, const Cause& cause);
-  std::string refuted_rounding(const Finding& finding, const Cause& cause) const;
+  std::string refuted_rounding(const Finding& finding, const Cause& cause);
   bool is_blamed(const Finding& of_doubles) const;
   std::vector<bool> accounted_for(const Comparison& of_doubles) const;
   std::string refuted_drift(const Finding& finding, const Cause& cause) const;
@@ -139,6 +139,8 @@ class Claims {
   const std::shared_ptr<const Run> run_;
   const std::vector<StageOutput> outputs_;
   std::map<double, Comparison> runs_;
+  std::optional<Comparison> of_doubles_;  ///< the answer held against the doubles
+  std::vector<bool> is_known_;            ///< of its findings
   std::map<std::size_t, Comparison> continued_;
 };
 
@@ -223,20 +225,22 @@ std::vector<bool> Claims::accounted_for(const Comparison& of_doubles) const {
 }
 
 /// Rounding alone is to blame, but the engine does such a thing to the doubles, too.
-std::string Claims::refuted_rounding(const Finding& finding, const Cause& cause) const {
+std::string Claims::refuted_rounding(const Finding& finding, const Cause& cause) {
   if (!is_of_conversion(cause) || !cause.with.empty() || is_invalid(finding)) return "";
   std::vector<std::size_t> cells;  // of the doubles
   for (const Finding& other : check_.conversion.findings) {
     if (!is_alike(finding, other)) continue;
     cells.insert(cells.end(), other.float_cells.begin(), other.float_cells.end());
   }
-  const Comparison of_doubles =
-      compare(check_.doubles_complex, check_.answer.complex, check_.comparison.tolerance);
-  const std::vector<bool> is_known = accounted_for(of_doubles);
-  for (std::size_t i = 0; i < of_doubles.findings.size(); ++i) {
-    const Finding& other = of_doubles.findings[i];
+  if (!of_doubles_) {
+    of_doubles_ =
+        compare(check_.doubles_complex, check_.answer.complex, check_.comparison.tolerance);
+    is_known_ = accounted_for(*of_doubles_);
+  }
+  for (std::size_t i = 0; i < of_doubles_->findings.size(); ++i) {
+    const Finding& other = of_doubles_->findings[i];
     if (other.kind == finding.kind && other.disagreement == finding.disagreement &&
-        share(other.exact_cells, cells) && !is_known[i]) {
+        share(other.exact_cells, cells) && !is_known_[i]) {
       return "rounding alone is to blame, but the engine does it to the doubles, too";
     }
   }
