@@ -202,6 +202,16 @@ expect "rounded edges are a drawing" 0 'wrote s.lines' "$plumbline" arrange abov
 expect "with the same complex" 0 '4 vertices, 3 edges' "$plumbline" arrange s.lines
 expect "only safe edges are written" 2 'ends in .json or .svg' "$plumbline" arrange above.lines -o s.lines
 expect "decimals belong to --safe" 2 'safe' "$plumbline" arrange above.lines --decimals 3 -o s.json
+for kind in geojson wkt csv wkb; do
+  expect "faces are written as polygons ($kind)" 0 "same incidences, proven.*wrote rooms.$kind" "$plumbline" arrange "$examples/office-plan.svg" -o "rooms.$kind"
+  expect "which are the drawing's faces" 0 "^agree" "$plumbline" check "$examples/office-plan.svg" --against "rooms.$kind"
+  rm -f "rooms.$kind"
+done
+expect "edges and vertices are layers" 0 'wrote c.geojson' "$plumbline" arrange "$examples/dwelling.svg" --cells edges,vertices -o c.geojson
+expect "that say which they are" 0 '"layer": "vertices"' grep -m1 -o '"layer": "vertices"' c.geojson
+expect "in decimals as well" 0 'wrote c.geojson' "$plumbline" arrange "$examples/dwelling.svg" --decimals 3 -o c.geojson
+rm -f c.geojson
+expect "a CSV file holds one kind of cells" 2 'one kind' "$plumbline" arrange "$examples/dwelling.svg" --cells edges,faces -o c.csv
 expect "too many decimals are refused" 2 '19' "$plumbline" arrange above.lines --safe --decimals 19 -o s.json
 expect "what is safe is written to a file" 2 'output' "$plumbline" arrange above.lines --safe
 rm -f s.json s.lines cross.lines above.lines

@@ -49,20 +49,41 @@ std::string output_of(const ArrangeArguments& arguments, const Drawing& drawing)
   return to_svg(drawing.complex, drawing.input.y_up);
 }
 
+/// The endings that an output may have, of which each option allows some.
+std::vector<std::string> endings_of(const ArrangeArguments& arguments) {
+  if (arguments.compact) return {".json"};
+  std::vector<std::string> endings{".json", ".svg", ".geojson", ".wkt", ".csv", ".wkb"};
+  if (arguments.safe) endings.emplace_back(".lines");
+  return endings;
+}
+
+/// Whether what is written is rounded and proven. Throws: Error BadInput for options that do not go
+/// together.
+bool is_written_safely(const ArrangeArguments& arguments) {
+  const std::string kind = arguments.output ? ending(*arguments.output) : "";
+  const bool is_safe = arguments.safe || is_of_features(kind);
+  if (arguments.grid.decimals && !is_safe) {
+    throw Error(ErrorCode::BadInput,
+                "--decimals needs --safe, or a .geojson, .wkt, .csv or .wkb file", {}, kind);
+  }
+  if (kind == ".csv" && arguments.cells.size() > 1) {
+    throw Error(ErrorCode::BadInput, "a .csv file holds cells of one kind: choose one by --cells");
+  }
+  return is_safe;
+}
+
 }  // namespace
 
 ExitCode run(const ArrangeArguments& arguments) {
-  std::vector<std::string> endings{".json"};
-  if (!arguments.compact) endings.emplace_back(".svg");
-  if (arguments.safe) endings.emplace_back(".lines");
   check_outputs(arguments.file,
-                {{arguments.output, endings}, {arguments.certificate, {".certificate"}}});
+                {{arguments.output, endings_of(arguments)}, {arguments.certificate, {".certificate"}}});
+  const bool is_safe = is_written_safely(arguments);
   const Drawing drawing = load(arguments);
   ensure_all_drawn(arguments, drawing.input);
   fmt::print("{}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
   fmt::print("{}\n{}", input_line(drawing.input), rejected_lines(drawing.input));
   fmt::print("{}\nsignature {}\n", exactness_line(drawing.input), signature(drawing.complex));
-  if (arguments.safe) {
+  if (is_safe) {
     const SafeOutput output = safe_output(arguments, drawing);
     write_file(*arguments.output, output.content);
     fmt::print("{}\n", output.line);

@@ -54,6 +54,7 @@ struct ArrangeArguments : DrawingArguments {
   std::optional<std::string> certificate;
   bool compact = false;  ///< JSON as short arrays
   bool safe = false;     ///< prove that what is written, rounded, is a valid complex
+  std::vector<std::string> cells = {"faces"};  ///< of a .geojson, .wkt, .csv or .wkb file
   Grid grid;
 };
 

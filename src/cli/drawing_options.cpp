@@ -142,30 +142,42 @@ CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments) {
   command->footer(
       "Examples: plumbline arrange plan.svg -o plan.json\n"
       "          plumbline arrange plan.svg --safe --decimals 3 -o plan.json\n"
+      "          plumbline arrange plan.dxf -o rooms.geojson\n"
       "          plumbline arrange plan.lines --certify plan.certificate");
   add_drawing(*command, arguments);
   add_old_engine(*command, arguments);
   CLI::Option* output =
       command
           ->add_option("-o,--output", arguments.output,
-                       "Write the complex to a .json or .svg file; with --safe also its edges to a "
-                       ".lines file")
+                       "Write the complex to a .json or .svg file; its faces as polygons (see "
+                       "--cells) to .geojson, .wkt, .csv or .wkb (hexadecimal), proven to be valid "
+                       "in doubles; with --safe also its edges to a .lines file")
           ->type_name("FILE");
   CLI::Option* compact =
       command
           ->add_flag("--compact", arguments.compact,
                      "A .json file of a third of the bytes: arrays, without what follows from them")
           ->needs(output);
-  CLI::Option* safe = command
+  command
                           ->add_flag("--safe", arguments.safe,
                                      "Write nearest doubles only if they are proven to form the "
                                      "same complex, else the snap rounded complex, proven too")
                           ->needs(output)
                           ->excludes(compact);
-  command->add_option("--decimals", arguments.grid.decimals, "Of --safe: N decimals, not doubles")
+  command
+      ->add_option("--decimals", arguments.grid.decimals,
+                   "Of --safe and of files of features: N decimals, not doubles")
       ->check(CLI::Range(0, Grid::kMaxDecimals))
-      ->needs(safe)
+      ->excludes(compact)
       ->type_name("N");
+  command
+      ->add_option("--cells", arguments.cells,
+                   "What files of features hold: faces (the default), edges, vertices, or several, "
+                   "with commas; of several, each feature of a .geojson file says which it is")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"faces", "edges", "vertices"}).description(""))
+      ->needs(output)
+      ->type_name("CELLS");
   command
       ->add_option("--certify", arguments.certificate,
                    "Write the complex, and what plumbline-verify needs to check it, to a "

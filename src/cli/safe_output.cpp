@@ -55,7 +55,33 @@ std::string line(const Drawing& drawing, const Grid& grid, const Rounding& round
                      changes_text(c), movement);
 }
 
+Features features_of(const ArrangeArguments& arguments, const Drawing& drawing,
+                     const Rounding& rounding) {
+  Features features{{}, drawing.input.crs, note_of(rounding)};
+  for (const std::string& cells : arguments.cells) {
+    if (cells == "faces") {
+      features.layers.push_back(face_layer(drawing.complex, drawing.input, rounding));
+    } else if (cells == "edges") {
+      features.layers.push_back(edge_layer(drawing.input, rounding));
+    } else {
+      features.layers.push_back(vertex_layer(rounding));
+    }
+  }
+  return features;
+}
+
+std::string feature_file(const std::string& kind, const Features& features) {
+  if (kind == ".geojson") return to_geojson(features);
+  if (kind == ".wkt") return to_wkt(features);
+  if (kind == ".wkb") return to_wkb_hex(features);
+  return to_csv(features.layers.front());
+}
+
 }  // namespace
+
+bool is_of_features(const std::string& ending) {
+  return ending == ".geojson" || ending == ".wkt" || ending == ".csv" || ending == ".wkb";
+}
 
 SafeOutput safe_output(const ArrangeArguments& arguments, const Drawing& drawing) {
   const Progress progress(fmt::format("rounding {} vertices", drawing.complex.vertices.size()));
@@ -66,9 +92,9 @@ SafeOutput safe_output(const ArrangeArguments& arguments, const Drawing& drawing
                 "\nwritten: " + counts_line(rounding.complex, rounding.complex.vertices.size());
   const std::string kind = ending(*arguments.output);
   if (!rounding.valid_as_doubles) {
-    if (kind == ".svg") {
+    if (kind == ".svg" || is_of_features(kind)) {
       throw Error(ErrorCode::BadInput,
-                  "a picture holds doubles, which so many --decimals are too fine for; ask for "
+                  "such a file holds doubles, which so many --decimals are too fine for; ask for "
                   "fewer, or for a .json or .lines file",
                   {}, *arguments.output);
     }
@@ -76,6 +102,8 @@ SafeOutput safe_output(const ArrangeArguments& arguments, const Drawing& drawing
   }
   if (kind == ".json") {
     output.content = to_json(drawing.complex, drawing.input, arguments.grid, rounding);
+  } else if (is_of_features(kind)) {
+    output.content = feature_file(kind, features_of(arguments, drawing, rounding));
   } else if (kind == ".svg") {
     output.content = to_svg(rounding.complex, drawing.input.y_up);
   } else {

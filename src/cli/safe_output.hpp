@@ -7,7 +7,11 @@
 
 namespace plumbline::cli {
 
-/// What `arrange --safe` writes to a .json, .svg or .lines file.
+/// Whether a file of this ending holds features in doubles, which are written safely only.
+bool is_of_features(const std::string& ending);
+
+/// What `arrange` writes where it proves that the numbers are a valid complex: a .json, .svg or
+/// .lines file with --safe, and files of features.
 struct SafeOutput {
   std::string content;
   std::string line;  ///< for the terminal: what rounding did
