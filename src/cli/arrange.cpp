@@ -75,8 +75,8 @@ bool is_written_safely(const ArrangeArguments& arguments) {
 }  // namespace
 
 ExitCode run(const ArrangeArguments& arguments) {
-  check_outputs(arguments.file,
-                {{arguments.output, endings_of(arguments)}, {arguments.certificate, {".certificate"}}});
+  check_outputs(arguments.file, {{arguments.output, endings_of(arguments)},
+                                 {arguments.certificate, {".certificate"}}});
   const bool is_safe = is_written_safely(arguments);
   const Drawing drawing = load(arguments);
   ensure_all_drawn(arguments, drawing.input);

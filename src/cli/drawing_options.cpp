@@ -134,6 +134,104 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
   add_engine_options(command, arguments);
 }
 
+void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
+  CLI::Option* output =
+      command
+          .add_option("-o,--output", arguments.output,
+                      "Write the complex to a .json or .svg file; its faces as polygons (see "
+                      "--cells) to .geojson, .wkt, .csv or .wkb (hexadecimal), proven to be valid "
+                      "in doubles; with --safe also its edges to a .lines file")
+          ->type_name("FILE");
+  CLI::Option* compact =
+      command
+          .add_flag("--compact", arguments.compact,
+                    "A .json file of a third of the bytes: arrays, without what follows from them")
+          ->needs(output);
+  command
+      .add_flag("--safe", arguments.safe,
+                "Write nearest doubles only if they are proven to form the "
+                "same complex, else the snap rounded complex, proven too")
+      ->needs(output)
+      ->excludes(compact);
+  command
+      .add_option("--decimals", arguments.grid.decimals,
+                  "Of --safe and of files of features: N decimals, not doubles")
+      ->check(CLI::Range(0, Grid::kMaxDecimals))
+      ->excludes(compact)
+      ->type_name("N");
+  command
+      .add_option("--cells", arguments.cells,
+                  "What files of features hold: faces (the default), edges, vertices, or several, "
+                  "with commas; of several, each feature of a .geojson file says which it is")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"faces", "edges", "vertices"}).description(""))
+      ->needs(output)
+      ->type_name("CELLS");
+  command
+      .add_option("--certify", arguments.certificate,
+                  "Write the complex, and what plumbline-verify needs to check it, to a "
+                  ".certificate file")
+      ->type_name("FILE");
+}
+
+/// "0.6..1.2".
+Range door_range(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    throw Error(ErrorCode::BadInput, "--doors needs LEAST..MOST", {}, text);
+  }
+  Range range{parse_decimal(text.substr(0, dots)), parse_decimal(text.substr(dots + 2))};
+  if (sgn(range.least) < 0) {
+    throw Error(ErrorCode::BadInput, "a door is not less than 0 wide", {}, text);
+  }
+  return range;
+}
+
+void add_diagnosis(CLI::App& command, InfoArguments& arguments) {
+  CLI::Option* diagnose = command.add_flag(
+      "--diagnose", arguments.diagnose,
+      "Name the defects of the line work: duplicates, overlaps, gaps, undershoots, overshoots, "
+      "near-misses, dangles, bridges, slivers, short edges, nearly parallel edges, invalid rings; "
+      "and what is as wide as a door");
+  command
+      .add_option_function<std::string>(
+          "--within",
+          [&](const std::string& distance) {
+            arguments.within = parse_decimal(distance);
+            if (sgn(*arguments.within) >= 0) return;
+            throw Error(ErrorCode::BadInput, "the search distance is negative", {}, distance);
+          },
+          "What is no further away than this is near, in drawing units [default: 0.001 x the "
+          "drawing's longer side]")
+      ->needs(diagnose)
+      ->type_name("DISTANCE");
+  command
+      .add_option_function<std::string>(
+          "--doors", [&](const std::string& range) { arguments.doors = door_range(range); },
+          "What is as wide as a door, in drawing units [default: 0.01 to 0.1 x the drawing's "
+          "longer "
+          "side]")
+      ->needs(diagnose)
+      ->type_name("LEAST..MOST");
+  command
+      .add_option("--list", arguments.listed,
+                  "Print also at most so many defects of each kind [default: 0]")
+      ->check(integer(0))
+      ->needs(diagnose)
+      ->type_name("N");
+  command
+      .add_option("--findings", arguments.findings,
+                  "Write the defects as points to a GeoJSON file, for QGIS and OGR")
+      ->needs(diagnose)
+      ->type_name("FILE");
+  command.add_option("-o,--output", arguments.output, "Write the diagnosis to a JSON file")
+      ->needs(diagnose)
+      ->type_name("FILE");
+  command.add_option("--picture", arguments.picture, "Draw the defects to an SVG file")
+      ->needs(diagnose)
+      ->type_name("FILE");
+}
+
 }  // namespace
 
 CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments) {
@@ -146,44 +244,7 @@ CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments) {
       "          plumbline arrange plan.lines --certify plan.certificate");
   add_drawing(*command, arguments);
   add_old_engine(*command, arguments);
-  CLI::Option* output =
-      command
-          ->add_option("-o,--output", arguments.output,
-                       "Write the complex to a .json or .svg file; its faces as polygons (see "
-                       "--cells) to .geojson, .wkt, .csv or .wkb (hexadecimal), proven to be valid "
-                       "in doubles; with --safe also its edges to a .lines file")
-          ->type_name("FILE");
-  CLI::Option* compact =
-      command
-          ->add_flag("--compact", arguments.compact,
-                     "A .json file of a third of the bytes: arrays, without what follows from them")
-          ->needs(output);
-  command
-                          ->add_flag("--safe", arguments.safe,
-                                     "Write nearest doubles only if they are proven to form the "
-                                     "same complex, else the snap rounded complex, proven too")
-                          ->needs(output)
-                          ->excludes(compact);
-  command
-      ->add_option("--decimals", arguments.grid.decimals,
-                   "Of --safe and of files of features: N decimals, not doubles")
-      ->check(CLI::Range(0, Grid::kMaxDecimals))
-      ->excludes(compact)
-      ->type_name("N");
-  command
-      ->add_option("--cells", arguments.cells,
-                   "What files of features hold: faces (the default), edges, vertices, or several, "
-                   "with commas; of several, each feature of a .geojson file says which it is")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"faces", "edges", "vertices"}).description(""))
-      ->needs(output)
-      ->type_name("CELLS");
-  command
-      ->add_option("--certify", arguments.certificate,
-                   "Write the complex, and what plumbline-verify needs to check it, to a "
-                   ".certificate file")
-      ->type_name("FILE");
-
+  add_complex_outputs(*command, arguments);
   return command;
 }
 
@@ -199,58 +260,7 @@ CLI::App* add_command(CLI::App& app, InfoArguments& arguments) {
                     "The tolerance ladder: at which radii merging within the radius would give "
                     "other numbers of vertices, edges or faces");
   add_plot(*command, arguments.plot);
-  CLI::Option* diagnose = command->add_flag(
-      "--diagnose", arguments.diagnose,
-      "Name the defects of the line work: duplicates, overlaps, gaps, undershoots, overshoots, "
-      "near-misses, dangles, bridges, slivers, short edges, nearly parallel edges, invalid rings; "
-      "and what is as wide as a door");
-  command
-      ->add_option_function<std::string>(
-          "--within",
-          [&](const std::string& distance) {
-            arguments.within = parse_decimal(distance);
-            if (sgn(*arguments.within) >= 0) return;
-            throw Error(ErrorCode::BadInput, "the search distance is negative", {}, distance);
-          },
-          "What is no further away than this is near, in drawing units [default: 0.001 x the "
-          "drawing's longer side]")
-      ->needs(diagnose)
-      ->type_name("DISTANCE");
-  command
-      ->add_option_function<std::string>(
-          "--doors",
-          [&](const std::string& range) {
-            const std::size_t dots = range.find("..");
-            if (dots == std::string::npos) {
-              throw Error(ErrorCode::BadInput, "--doors needs LEAST..MOST", {}, range);
-            }
-            arguments.doors =
-                Range{parse_decimal(range.substr(0, dots)), parse_decimal(range.substr(dots + 2))};
-            if (sgn(arguments.doors->least) >= 0) return;
-            throw Error(ErrorCode::BadInput, "a door is not less than 0 wide", {}, range);
-          },
-          "What is as wide as a door, in drawing units [default: 0.01 to 0.1 x the drawing's "
-          "longer "
-          "side]")
-      ->needs(diagnose)
-      ->type_name("LEAST..MOST");
-  command
-      ->add_option("--list", arguments.listed,
-                   "Print also at most so many defects of each kind [default: 0]")
-      ->check(integer(0))
-      ->needs(diagnose)
-      ->type_name("N");
-  command
-      ->add_option("--findings", arguments.findings,
-                   "Write the defects as points to a GeoJSON file, for QGIS and OGR")
-      ->needs(diagnose)
-      ->type_name("FILE");
-  command->add_option("-o,--output", arguments.output, "Write the diagnosis to a JSON file")
-      ->needs(diagnose)
-      ->type_name("FILE");
-  command->add_option("--picture", arguments.picture, "Draw the defects to an SVG file")
-      ->needs(diagnose)
-      ->type_name("FILE");
+  add_diagnosis(*command, arguments);
   return command;
 }
 

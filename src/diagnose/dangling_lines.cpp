@@ -94,8 +94,9 @@ class MeetingPoint {
 
   void offer(Point p) {
     Rational farthest = 0;
-    for (const Point& end : ends_)
+    for (const Point& end : ends_) {
       farthest = std::max(farthest, plumbline::squared_distance(p, end));
+    }
     if (is_found_ && (farthest > squared_ || (farthest == squared_ && !(p < best_)))) return;
     is_found_ = true;
     best_ = std::move(p);

@@ -150,8 +150,9 @@ class Classifier {
     const Vector a = direction(graph_, v), b = direction(graph_, w);
     const Vector off = from_to(vertices[v], vertices[w]);
     const Rational turn = cross(a, b);
-    if (sgn(turn) == 0)
+    if (sgn(turn) == 0) {
       return sgn(cross(off, a)) == 0 && sgn(dot(off, a)) > 0 && sgn(dot(a, b)) < 0;
+    }
     const auto is_ahead_near = [&](const Rational& along, const Vector& u) {
       return sgn(along) >= 0 && along * along * dot(u, u) <= subject_.squared_within;
     };

@@ -50,8 +50,9 @@ bool turns_direction(std::string_view character) {
   if (character.size() != 3 || !character.starts_with('\xE2')) return false;
   const auto second = static_cast<unsigned char>(character[1]);
   const auto third = static_cast<unsigned char>(character[2]);
-  if (second == 0x80U)
+  if (second == 0x80U) {
     return third == 0x8EU || third == 0x8FU || (third >= 0xAAU && third <= 0xAEU);
+  }
   return second == 0x81U && third >= 0xA6U && third <= 0xA9U;
 }
 
