@@ -77,8 +77,13 @@ TEST_CASE("a terminal shows right radii in the second line") {
   const Check advice = advised(segments("0 0 10 0  5 1/3 5 3  9 2 9 7/4"));
   const std::string text = to_text(advice);
   INFO(text);
-  CHECK(text.find("agree\nfloat LAR is right with every radius tried from ") == 0);
-  CHECK(text.find(" to " + shortest_text(advice.right_radii->largest) + " (") != std::string::npos);
+  const RightRadii& radii = *advice.right_radii;
+  REQUIRE(radii.advised);
+  CHECK(text.find("agree\nfloat LAR is right with --radius " + shortest_text(*radii.advised) +
+                  ", and with all tried from ") == 0);
+  CHECK(std::any_of(radii.tried.begin(), radii.tried.end(), [&](const TriedRadius& t) {
+    return t.radius == *radii.advised && t.is_right;
+  }));
 }
 
 TEST_CASE("a plot has a line for each number of cells, and a band of right radii") {

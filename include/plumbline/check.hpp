@@ -27,6 +27,8 @@ struct TriedRadius {
 struct RightRadii {
   double least = 0, largest = 0;
   std::vector<TriedRadius> tried;  ///< ascending
+  /// One of them for people: of one digit, or the middle one of those that are right.
+  std::optional<double> advised = {};
 
   /// Whether none of them was right; `least` and `largest` mean nothing then.
   bool empty() const {

@@ -4,8 +4,11 @@
 
 #include "check/right_radii.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <optional>
 
@@ -27,7 +30,9 @@ class Trials {
   Trials(const Check& check, const AdviceOptions& options)
       : check_(check), exact_(check.exact_complex), options_(options) {}
 
-  bool may_go_on() const { return runs_ < options_.max_runs; }
+  /// Whether the search may: one run is left for what is advised.
+  bool may_go_on() const { return runs_ + 1 < options_.max_runs; }
+  bool may_run() const { return runs_ < options_.max_runs; }
   const std::vector<TriedRadius>& tried() const { return tried_; }
 
   /// Whether the answer is right; the radius is recorded as the engine raises it.
@@ -128,6 +133,13 @@ class Trials {
   std::optional<ExactComplex> without_drift_;  ///< made when first asked for
 };
 
+/// A number of one digit well between the two, if there is one.
+std::optional<double> one_digit_between(double least, double largest) {
+  const double middle = std::sqrt(least) * std::sqrt(largest);
+  const double rounded = std::strtod(fmt::format("{:.0e}", middle).c_str(), nullptr);
+  return least < rounded && rounded < largest ? std::optional(rounded) : std::nullopt;
+}
+
 /// The longest run (by the ratio of its ends, then the first) of right radii.
 RightRadii longest_run(const std::vector<TriedRadius>& tried) {
   const auto is_right = [](const TriedRadius& trial) { return trial.is_right; };
@@ -169,7 +181,16 @@ RightRadii right_radii(const Check& check, const AdviceOptions& options) {
   trials.bisect();
   if (first) trials.fill(*first);
   trials.bisect();
-  return longest_run(trials.tried());
+  RightRadii result = longest_run(trials.tried());
+  if (result.empty()) return result;
+  const auto advised = one_digit_between(result.least, result.largest);
+  if (!advised || !trials.may_run() || !trials.is_right(*advised)) {
+    result.advised = result.largest;
+    return result;
+  }
+  result = longest_run(trials.tried());
+  result.advised = advised;
+  return result;
 }
 
 }  // namespace plumbline::check_steps

@@ -127,6 +127,7 @@ auto radii(const std::optional<RightRadii>& radii) {
                                   [&radii] {
                                     return std::array{radii->least, radii->largest};
                                   })),
+      member("advised_radius", given(has_right, [&radii] { return radii->advised; })),
       member("tried_radii", list(radii ? radii->tried : std::vector<TriedRadius>(), trial)));
 }
 

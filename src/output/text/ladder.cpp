@@ -64,16 +64,17 @@ std::string right_radii_text(const RightRadii& radii, const std::string& engine)
       if (trial.findings && (!best || *trial.findings < *best->findings)) best = &trial;
     }
     if (best) {
-      text += fmt::format("; {} leaves fewest findings, {}", shortest_text(best->radius),
-                          *best->findings);
+      text += fmt::format("; {} leaves fewest, {}, besides the file's own drift",
+                          shortest_text(best->radius), *best->findings);
     }
     return text + ".\n";
   }
   const auto tried_right = std::count_if(
       radii.tried.begin(), radii.tried.end(),
       [&](const TriedRadius& t) { return t.radius >= radii.least && t.radius <= radii.largest; });
-  return fmt::format("{} is right with every radius tried from {} to {} ({} tried).\n", engine,
-                     short_number(radii.least), shortest_text(radii.largest), tried_right);
+  return fmt::format("{} is right with --radius {}, and with all tried from {} to {} ({}).\n",
+                     engine, shortest_text(radii.advised.value_or(radii.largest)),
+                     short_number(radii.least), short_number(radii.largest), tried_right);
 }
 
 }  // namespace plumbline
