@@ -89,7 +89,8 @@ TEST_CASE("of two ends near each other one may be short and the other one long")
   const SegmentSet room = segments("0 0 10.03 0  10 0.02 10 8  10 8 0 8  0 8 0 0");
   const Diagnosis result = diagnosis(room, "0.05");
   CHECK(result.defects.at(0).message ==
-        "a line ends 0.02 short of another one, which leaves a face of area 80 open");
+        "a line ends 0.02 short of another one, on the boundary of a face of area 80 that gaps "
+        "leave open");
   CHECK(result.defects.at(1).message ==
         "a line goes 0.03 beyond where one that is cut short would meet it");
   // On one line, they leave a gap, wherever lines cross near it.

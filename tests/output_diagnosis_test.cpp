@@ -61,19 +61,19 @@ TEST_CASE("the text counts what there is, tells what matters most, then lists ea
   const Example example;
   const std::string text = to_text(example.diagnosis(), example.input, 1);
   CHECK(text.substr(0, text.find('\n')) == "4 defects; near means within 0.25; 3 loose ends");
-  CHECK(text.find(
-            "\n  1 duplicate, 1 undershoot, 2 dangles\n"
-            "what matters most\n"
-            "     2. at (5, 9.75): a line ends 0.25 short of another one, which leaves a face of "
-            "area 50 open\n"
-            "        text:3:1 text; text:5:1 text\n"
-            "     1. at (5, 0): 2 equal segments of length 10\n") != std::string::npos);
+  CHECK(text.find("\n  1 duplicate, 1 undershoot, 2 dangles\n"
+                  "what matters most\n"
+                  "     2. at (5, 9.75): a line ends 0.25 short of another one, on the boundary of "
+                  "a face of "
+                  "area 50 that gaps leave open\n"
+                  "        text:3:1 text; text:5:1 text\n"
+                  "     1. at (5, 0): 2 equal segments of length 10\n") != std::string::npos);
   CHECK(to_text(example.diagnosis(), example.input).find("\nundershoot: 1\n") == std::string::npos);
-  CHECK(text.find(
-            "\nundershoot: 1\n"
-            "     2. at (5, 9.75): a line ends 0.25 short of another one, which leaves a face of "
-            "area 50 open\n"
-            "        text:3:1 text\n        text:5:1 text\n") != std::string::npos);
+  CHECK(text.find("\nundershoot: 1\n"
+                  "     2. at (5, 9.75): a line ends 0.25 short of another one, on the boundary of "
+                  "a face of "
+                  "area 50 that gaps leave open\n"
+                  "        text:3:1 text\n        text:5:1 text\n") != std::string::npos);
   CHECK(text.find("\ndangle: 2\n     3. at (12, 5): a line of length 2 has a loose end\n"
                   "        text:7:1 text\n      ... and 1 more\n") != std::string::npos);
   CHECK(text.find("  0                  1\n  0.25               2\n") != std::string::npos);

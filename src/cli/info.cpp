@@ -21,7 +21,8 @@ std::string first_lines(const std::string& list) {
   if (count <= kShown + 1) return list;
   std::size_t end = 0;
   for (std::ptrdiff_t i = 0; i < kShown; ++i) end = list.find('\n', end) + 1;
-  return list.substr(0, end) + fmt::format("  ... and {} kinds more (see info)\n", count - kShown);
+  return list.substr(0, end) +
+         fmt::format("  ... and {} kinds more (without --diagnose all are told)\n", count - kShown);
 }
 
 void print_repetitions(const Drawing& drawing) {

@@ -117,7 +117,8 @@ std::string sentence(const Subject& subject, const Defect& defect) {
 std::string describe(const Subject& subject, const Defect& defect) {
   const std::string text = sentence(subject, defect);
   if (!defect.open_area) return text;
-  return fmt::format("{}, which leaves a face of area {} open", text, number(*defect.open_area));
+  return fmt::format("{}, on the boundary of a face of area {} that gaps leave open", text,
+                     number(*defect.open_area));
 }
 
 }  // namespace diagnose_steps

@@ -96,7 +96,7 @@ void append_openings(std::string& text, const Diagnosis& diagnosis) {
 void append_tolerances(std::string& text, const Diagnosis& diagnosis) {
   const std::vector<ToleranceEffect>& all = diagnosis.tolerances;
   if (all.empty()) return;
-  text += fmt::format("a tolerance of  mends of {} that one can mend\n",
+  text += fmt::format("a repair within  would mend, of {} (check does not repair)\n",
                       counted(all.back().mended, "defect"));
   const auto spares = [](const ToleranceEffect& effect) { return effect.spares_detail; };
   const auto end_of_sparing = std::partition_point(all.begin(), all.end(), spares) - all.begin();

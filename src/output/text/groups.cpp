@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t kShownKinds = 4;
 constexpr std::size_t kShownAreas = 3;
+constexpr std::size_t kManyFindings = 8;
 
 std::string plural(CellKind kind) {
   return kind == CellKind::Vertex ? "vertices" : to_text(kind) + 's';
@@ -98,10 +99,12 @@ std::string cause_text(const FindingGroup& group, const Check& check) {
   stages.erase(cause.stage);
   std::string text = cause.stage;
   for (const std::string& stage : stages) text += " and " + stage;
-  text += ": " + cause.explanation;
+  text += group.findings.size() > kManyFindings ? ", for example: " : ": ";
+  text += cause.explanation;
+  if (check.right_radii && !check.right_radii->empty()) return text;  // one radius for all groups
   if (const auto radius = radius_without(group, check)) {
     text += "; not so with radius " + shortest_text(*radius);
-  } else if (!cause.advice.empty()) {
+  } else if (!cause.advice.empty() && !cause.distance) {
     text += "; " + cause.advice;
   }
   return text;
