@@ -12,7 +12,7 @@ export const stageOf = (finding: Finding): string => finding.cause?.stage ?? noS
 export type Comparison = "float" | "doubles";
 
 export class FindingList {
-  onFilter: (findings: Finding[]) => void = () => {};
+  onFilter: () => void = () => {};
   onChoose: (finding: Finding | undefined) => void = () => {};
   onLeaveGroup: () => void = () => {};
   comparison: Comparison = "float";
@@ -42,6 +42,10 @@ export class FindingList {
     byId("group-chip").textContent = group ? `${group.number} \u00d7` : "";
     this.choose(undefined);
     this.filter();
+  }
+
+  get filtered(): Finding[] {
+    return this.shown;
   }
 
   get all(): Finding[] {
@@ -102,7 +106,7 @@ export class FindingList {
         : this.shown.length === all
           ? `${count(all)} in all`
           : `${count(this.shown.length)} of ${count(all)}`;
-    this.onFilter(this.shown);
+    this.onFilter();
   }
 
   private addItems(number: number): void {

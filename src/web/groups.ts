@@ -24,6 +24,10 @@ export class GroupList {
     this.addItems(chunk);
   }
 
+  get isChosen(): boolean {
+    return this.chosen !== undefined;
+  }
+
   /// All of them, for print.
   showAll(): void {
     this.addItems(this.drawing.report.groups.length);
@@ -54,7 +58,7 @@ export class GroupList {
       "button",
       { type: "button", class: "finding-head", "aria-expanded": String(isOpen) },
       element("span", { class: "badge" }, String(group.number)),
-      element("span", { class: "what" }, what),
+      element("span", { class: "what" }, what.replace(/ \([^)]*\)/g, "")),
       element("span", { class: "message" }, rest.join("; ")),
     );
     head.addEventListener("click", () => this.choose(isOpen ? undefined : group));
@@ -67,6 +71,12 @@ export class GroupList {
     const list = element("dl", { class: "details" });
     const add = (term: string, ...values: (string | Node)[]) =>
       list.append(element("dt", {}, term), element("dd", {}, ...values));
+    const findings = element("button", { type: "button", class: "show" }, `its ${count(group.findings.length)} in the list of findings`);
+    findings.addEventListener("click", () => {
+      byId("findings-tab").click();
+      byId("findings-panel").scrollTop = 0;
+    });
+    add("findings", findings);
     if (group.where) add("place", group.where.nearest.map(String).join(", "));
     if (group.faces.length > 0) {
       const faces = element("ul");
@@ -79,9 +89,6 @@ export class GroupList {
     const sources = element("ul");
     for (const source of group.sources.slice(0, 8)) sources.append(element("li", {}, this.drawing.sourceText(source)));
     if (group.sources.length > 0) add("from", sources);
-    const findings = element("button", { type: "button", class: "show" }, `its ${count(group.findings.length)} in the list of findings`);
-    findings.addEventListener("click", () => byId("findings-tab").click());
-    add("findings", findings);
     return list;
   }
 }

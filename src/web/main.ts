@@ -11,10 +11,12 @@ import { showInputs } from "./inputs";
 import { showLadder } from "./ladder";
 import { boxOf, Overlay, Side } from "./overlay";
 import { connectPrinting } from "./printing";
-import type { Finding, LadderStep, Report } from "./report";
+import type { Finding, Group, LadderStep, Report } from "./report";
 import { Scene } from "./scene";
 import { showAnswers, showHead } from "./summary";
 import { View } from "./view";
+
+const isNarrow = matchMedia("(max-width: 860px)");
 
 async function readReport(): Promise<Report> {
   return (await (await unpacked(byId("report").textContent!)).json()) as Report;
@@ -30,12 +32,22 @@ function showPicture(drawing: Drawing, list: FindingList, groups: GroupList): { 
   connectLayers(scene, overlay);
   connectView(view);
   connectFindings(drawing, list, view, overlay);
+  const markOfGroup = new Map(drawing.report.groups.map((group) => [markOf(group, drawing), group]));
+  const showMarks = () =>
+    overlay.setFindings(byId("groups-panel").hidden || groups.isChosen ? list.filtered : [...markOfGroup.keys()]);
   groups.onChoose = (group) => {
     list.setGroup(group);
-    if (group) view.show(boxOfGroup(group, drawing));
+    if (!group) return;
+    view.show(boxOfGroup(group, drawing));
+    if (isNarrow.matches) stage.scrollIntoView();
   };
+  list.onFilter = showMarks;
   list.onLeaveGroup = () => groups.choose(undefined);
+  for (const tab of document.querySelectorAll('[role="tab"]')) tab.addEventListener("click", showMarks);
+  showMarks();
   new Hover(byId("tip"), view, drawing, scene, overlay, byId("readout"), (finding) => {
+    const group = markOfGroup.get(finding);
+    if (group) return groups.choose(group);
     byId("findings-tab").click();
     list.choose(finding);
   });
@@ -49,13 +61,11 @@ function connectFindings(drawing: Drawing, list: FindingList, view: View, overla
     { complex: drawing.complexes[list.comparison], cells: finding.float_cells },
     { complex: drawing.complexes.authored, cells: finding.exact_cells },
   ];
-  list.onFilter = (findings) => overlay.setFindings(findings);
   list.onChoose = (finding) => {
     overlay.chosen = finding && { finding, sides: sidesOf(finding) };
     if (finding) view.show(boxOf(finding, overlay.chosen!.sides, drawing));
     overlay.draw();
   };
-  overlay.setFindings(list.all);
   view.stage.addEventListener("keydown", (event) => {
     if (event.key === "n" || event.key === "p") byId("findings-tab").click();
     if (event.key === "n") list.step(1);
@@ -68,6 +78,12 @@ function connectFindings(drawing: Drawing, list: FindingList, view: View, overla
     "aria-label",
     `The drawing with ${findings}. Arrow keys pan, + and - zoom, 0 shows all, n and p go through the findings.`,
   );
+}
+
+/// A group as what is marked on the stage.
+function markOf(group: Group, { report }: Drawing): Finding {
+  const lead = report.findings[group.lead - 1];
+  return { ...lead, number: group.number, kind: "group", disagreement: "", message: group.message };
 }
 
 function connectComparison({ report }: Drawing, list: FindingList): void {

@@ -22,7 +22,7 @@ export interface Cause {
 
 export interface Finding {
   number: number;
-  kind: "vertex" | "edge" | "face" | "hole" | "complex";
+  kind: "vertex" | "edge" | "face" | "hole" | "complex" | "group"; // group: on the stage only
   disagreement: string;
   invariant: string | null;
   message: string;
@@ -116,6 +116,7 @@ export interface Report {
   conversion: Finding[];
   ladder: Ladder | null;
   right_radii: [number, number] | null;
+  advised_radius: number | null;
   tried_radii: { radius: number; right: boolean }[];
   files: string[];
   rejected: (SourceKind & { line: number; column: number; id: string; reason: string; text: string })[];

@@ -54,7 +54,10 @@ function radiusAdvice(report: Report): string {
     );
   const [least, largest] = report.right_radii ?? [];
   if (least !== undefined && largest !== undefined)
-    sentences.push(`Every radius tried from ${number(least)} to ${number(largest)} is right.`);
+    sentences.push(
+      `Right is --radius ${report.advised_radius ?? largest}, and all that were tried ` +
+        `from ${number(least)} to ${number(largest)}.`,
+    );
   else if (report.tried_radii.length > 0) sentences.push("No radius that was tried is right.");
   return sentences.join(" ");
 }

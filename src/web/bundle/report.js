@@ -143,66 +143,68 @@ g-more");this.total=byId("finding-total");new IntersectionObserver(entries=>{ent
 this.addItems(chunk)}).observe(this.more),byId("group-chip").addEventListener("click",()=>this.onLeaveGroup()),this.setComparison(
 "float")}setGroup(group){group&&this.comparison!=="float"&&this.setComparison("float"),this.group=group&&new Set(group.findings),
 byId("group-filter").hidden=!group,byId("group-chip").textContent=group?`${group.number} \xD7`:"",this.choose(void 0),this.
-filter()}get all(){let{findings,conversion}=this.drawing.report;return this.comparison==="float"?findings:conversion}setComparison(comparison){
-this.comparison=comparison,this.hiddenKinds.clear(),this.hiddenStages.clear(),this.chips(byId("kind-filter"),this.hiddenKinds,
-finding=>finding.kind),this.chips(byId("stage-filter"),this.hiddenStages,stageOf),this.choose(void 0),this.filter()}step(by){
-if(this.shown.length===0)return;let now2=this.chosen?this.shown.indexOf(this.chosen):by>0?-1:0;this.choose(this.shown[(now2+
-by+this.shown.length)%this.shown.length])}choose(finding){if(this.item(this.chosen)?.replaceWith(this.makeItem(this.chosen,
-!1)),this.chosen=finding,finding){this.addItems(this.shown.indexOf(finding)+1-this.list.childElementCount);let item=this.
-makeItem(finding,!0);this.item(finding)?.replaceWith(item),item.scrollIntoView({block:"nearest"})}this.onChoose(finding)}setPrinting(isPrinting){
-this.isPrinting!==isPrinting&&(this.isPrinting=isPrinting,this.list.replaceChildren(),this.addItems(isPrinting?this.shown.
-length:chunk))}filter(){this.shown=this.all.filter(f=>!this.hiddenKinds.has(f.kind)&&!this.hiddenStages.has(stageOf(f))&&
-(!this.group||this.comparison!=="float"||this.group.has(f.number))),this.list.replaceChildren(),this.addItems(chunk);let all=this.
-all.length;this.total.textContent=all===0?"No finding: every cell matches one to one.":this.shown.length===all?`${count(
-all)} in all`:`${count(this.shown.length)} of ${count(all)}`,this.onFilter(this.shown)}addItems(number5){let first=this.
-list.childElementCount;for(let finding of this.shown.slice(first,first+Math.max(number5,0)))this.list.append(this.makeItem(
-finding,this.isPrinting||finding===this.chosen));this.more.hidden=this.list.childElementCount>=this.shown.length}item(finding){
-return finding?this.list.querySelector(`[data-number="${finding.number}"]`):null}chips(row2,hidden,group){let counts2=new Map;
-for(let finding of this.all)counts2.set(group(finding),(counts2.get(group(finding))??0)+1);row2.parentElement.hidden=counts2.
-size===0,row2.replaceChildren();for(let[name,n]of counts2){let chip=element("button",{class:"chip",type:"button","aria-p\
-ressed":"true"},name,element("span",{},count(n)));chip.dataset.value=name,chip.addEventListener("click",()=>{let isHidden=hidden.
-delete(name)?!1:!!hidden.add(name);chip.setAttribute("aria-pressed",String(!isHidden)),this.filter()}),row2.append(chip)}}makeItem(finding,open){
-let head=element("button",{type:"button",class:"finding-head","aria-expanded":String(open)},element("span",{class:"badge"},
-String(finding.number)),element("span",{class:"what"},`${finding.kind} ${finding.disagreement}`),finding.cause&&element(
-"span",{class:"stage"},finding.cause.stage),element("span",{class:"message"},finding.message));head.addEventListener("cl\
-ick",()=>this.choose(open?void 0:finding));let item=element("li",{class:open?"open":""},head,open&&this.details(finding));
-return item.dataset.number=String(finding.number),item}details(finding){let list=element("dl",{class:"details"}),add2=(term,...values)=>{
-values.some(Boolean)&&list.append(element("dt",{},term),element("dd",{},...values))},{where,cause}=finding;if(where&&(add2(
-"place",where.nearest.map(String).join(", ")),add2("exact x",element("code",{},where.exact[0])),add2("exact y",element("\
-code",{},where.exact[1]))),finding.distance!==null&&add2("distance",number(finding.distance,12)),add2("its square",finding.
-squared_distance&&element("code",{},finding.squared_distance.exact)),finding.area&&add2("area",number(finding.area.nearest,
-12)," = ",element("code",{},finding.area.exact)),add2("invariant",finding.invariant),add2("exact cells",this.cells(finding,
-finding.exact_cells)),add2(`${this.comparison} cells`,this.cells(finding,finding.float_cells)),cause){let round2=cause.round?
-`, round ${cause.round}`:"";add2("stage",`${cause.stage}${round2}`,cause.confirmed&&element("span",{class:"confirmed",title:"\
-With this one stage made exact, the finding disappears"},"confirmed")),add2("rule",cause.rule),add2("cause",cause.explanation),
-add2("advice",cause.advice&&element("em",{},cause.advice))}let sources=element("ul");for(let source of finding.sources)sources.
+filter()}get filtered(){return this.shown}get all(){let{findings,conversion}=this.drawing.report;return this.comparison===
+"float"?findings:conversion}setComparison(comparison){this.comparison=comparison,this.hiddenKinds.clear(),this.hiddenStages.
+clear(),this.chips(byId("kind-filter"),this.hiddenKinds,finding=>finding.kind),this.chips(byId("stage-filter"),this.hiddenStages,
+stageOf),this.choose(void 0),this.filter()}step(by){if(this.shown.length===0)return;let now2=this.chosen?this.shown.indexOf(
+this.chosen):by>0?-1:0;this.choose(this.shown[(now2+by+this.shown.length)%this.shown.length])}choose(finding){if(this.item(
+this.chosen)?.replaceWith(this.makeItem(this.chosen,!1)),this.chosen=finding,finding){this.addItems(this.shown.indexOf(finding)+
+1-this.list.childElementCount);let item=this.makeItem(finding,!0);this.item(finding)?.replaceWith(item),item.scrollIntoView(
+{block:"nearest"})}this.onChoose(finding)}setPrinting(isPrinting){this.isPrinting!==isPrinting&&(this.isPrinting=isPrinting,
+this.list.replaceChildren(),this.addItems(isPrinting?this.shown.length:chunk))}filter(){this.shown=this.all.filter(f=>!this.
+hiddenKinds.has(f.kind)&&!this.hiddenStages.has(stageOf(f))&&(!this.group||this.comparison!=="float"||this.group.has(f.number))),
+this.list.replaceChildren(),this.addItems(chunk);let all=this.all.length;this.total.textContent=all===0?"No finding: eve\
+ry cell matches one to one.":this.shown.length===all?`${count(all)} in all`:`${count(this.shown.length)} of ${count(all)}`,
+this.onFilter()}addItems(number5){let first=this.list.childElementCount;for(let finding of this.shown.slice(first,first+
+Math.max(number5,0)))this.list.append(this.makeItem(finding,this.isPrinting||finding===this.chosen));this.more.hidden=this.
+list.childElementCount>=this.shown.length}item(finding){return finding?this.list.querySelector(`[data-number="${finding.
+number}"]`):null}chips(row2,hidden,group){let counts2=new Map;for(let finding of this.all)counts2.set(group(finding),(counts2.
+get(group(finding))??0)+1);row2.parentElement.hidden=counts2.size===0,row2.replaceChildren();for(let[name,n]of counts2){
+let chip=element("button",{class:"chip",type:"button","aria-pressed":"true"},name,element("span",{},count(n)));chip.dataset.
+value=name,chip.addEventListener("click",()=>{let isHidden=hidden.delete(name)?!1:!!hidden.add(name);chip.setAttribute("\
+aria-pressed",String(!isHidden)),this.filter()}),row2.append(chip)}}makeItem(finding,open){let head=element("button",{type:"\
+button",class:"finding-head","aria-expanded":String(open)},element("span",{class:"badge"},String(finding.number)),element(
+"span",{class:"what"},`${finding.kind} ${finding.disagreement}`),finding.cause&&element("span",{class:"stage"},finding.cause.
+stage),element("span",{class:"message"},finding.message));head.addEventListener("click",()=>this.choose(open?void 0:finding));
+let item=element("li",{class:open?"open":""},head,open&&this.details(finding));return item.dataset.number=String(finding.
+number),item}details(finding){let list=element("dl",{class:"details"}),add2=(term,...values)=>{values.some(Boolean)&&list.
+append(element("dt",{},term),element("dd",{},...values))},{where,cause}=finding;if(where&&(add2("place",where.nearest.map(
+String).join(", ")),add2("exact x",element("code",{},where.exact[0])),add2("exact y",element("code",{},where.exact[1]))),
+finding.distance!==null&&add2("distance",number(finding.distance,12)),add2("its square",finding.squared_distance&&element(
+"code",{},finding.squared_distance.exact)),finding.area&&add2("area",number(finding.area.nearest,12)," = ",element("code",
+{},finding.area.exact)),add2("invariant",finding.invariant),add2("exact cells",this.cells(finding,finding.exact_cells)),
+add2(`${this.comparison} cells`,this.cells(finding,finding.float_cells)),cause){let round2=cause.round?`, round ${cause.
+round}`:"";add2("stage",`${cause.stage}${round2}`,cause.confirmed&&element("span",{class:"confirmed",title:"With this on\
+e stage made exact, the finding disappears"},"confirmed")),add2("rule",cause.rule),add2("cause",cause.explanation),add2(
+"advice",cause.advice&&element("em",{},cause.advice))}let sources=element("ul");for(let source of finding.sources)sources.
 append(element("li",{},this.drawing.sourceText(source)));return add2("from",finding.sources.length>0&&sources),list}cells(finding,cells){
 if(cells.length===0)return"none";let most=24,names=cells.slice(0,most).join(", ")+(cells.length>most?", \u2026":"");return`${finding.
 kind==="hole"?"cycle":finding.kind} ${names}`}};var chunk2=100,GroupList=class{constructor(drawing){this.drawing=drawing;this.onChoose=()=>{};this.list=byId("group-list");
 this.more=byId("group-more");let{groups}=drawing.report;byId("group-total").textContent=groups.length===0?"Nothing diffe\
 rs.":`${count(groups.length)} in all, what changes most first`,new IntersectionObserver(entries=>{entries.some(entry=>entry.
-isIntersecting)&&this.addItems(chunk2)}).observe(this.more),this.addItems(chunk2)}showAll(){this.addItems(this.drawing.report.
-groups.length)}choose(group){let before=this.chosen;this.chosen=group;for(let changed of[before,group])changed&&this.item(
-changed)?.replaceWith(this.makeItem(changed));this.onChoose(group)}addItems(number5){let{groups}=this.drawing.report,first=this.
-list.childElementCount;for(let group of groups.slice(first,first+number5))this.list.append(this.makeItem(group));this.more.
-hidden=this.list.childElementCount>=groups.length}item(group){return this.list.querySelector(`[data-number="${group.number}\
-"]`)}makeItem(group){let isOpen=group===this.chosen,[what,...rest2]=group.message.split("; "),head=element("button",{type:"\
-button",class:"finding-head","aria-expanded":String(isOpen)},element("span",{class:"badge"},String(group.number)),element(
-"span",{class:"what"},what),element("span",{class:"message"},rest2.join("; ")));head.addEventListener("click",()=>this.choose(
-isOpen?void 0:group));let item=element("li",{class:isOpen?"open":""},head,isOpen&&this.details(group));return item.dataset.
-number=String(group.number),item}details(group){let list=element("dl",{class:"details"}),add2=(term,...values)=>list.append(
-element("dt",{},term),element("dd",{},...values));if(group.where&&add2("place",group.where.nearest.map(String).join(", ")),
-group.faces.length>0){let faces=element("ul"),most=12;for(let{change,areas}of group.faces.slice(0,most))faces.append(element(
-"li",{},`${change}: ${areasText(areas)}`));group.faces.length>most&&faces.append(element("li",{},`${count(group.faces.length-
-most)} more`)),add2("faces",faces)}let sources=element("ul");for(let source of group.sources.slice(0,8))sources.append(element(
-"li",{},this.drawing.sourceText(source)));group.sources.length>0&&add2("from",sources);let findings=element("button",{type:"\
-button",class:"show"},`its ${count(group.findings.length)} in the list of findings`);return findings.addEventListener("c\
-lick",()=>byId("findings-tab").click()),add2("findings",findings),list}};function areasText(areas){let largest=[...areas].
-sort((a,b)=>b-a).slice(0,4).map(area2=>number(area2,4)),more=areas.length-largest.length;return(largest.join(", ")||"are\
-a unknown")+(more>0?` and ${more} more`:"")}function boxOfGroup(group,drawing){let corners=[drawing.local(group.low),drawing.
-local(group.high)],xs=corners.map(([x])=>x),ys=corners.map(([,y])=>y),[left2,right2,top2,bottom2]=[Math.min(...xs),Math.
-max(...xs),Math.min(...ys),Math.max(...ys)],half=Math.max(right2-left2,bottom2-top2,4*drawing.report.tolerance)*.75,[cx,
-cy]=[(left2+right2)/2,(top2+bottom2)/2];return{left:cx-half,right:cx+half,top:cy-half,bottom:cy+half}}var cell=30,reach=14,mostNumbers=4,Places=class{constructor(findings,drawing){this.findings=findings.filter(finding=>finding.
+isIntersecting)&&this.addItems(chunk2)}).observe(this.more),this.addItems(chunk2)}get isChosen(){return this.chosen!==void 0}showAll(){
+this.addItems(this.drawing.report.groups.length)}choose(group){let before=this.chosen;this.chosen=group;for(let changed of[
+before,group])changed&&this.item(changed)?.replaceWith(this.makeItem(changed));this.onChoose(group)}addItems(number5){let{
+groups}=this.drawing.report,first=this.list.childElementCount;for(let group of groups.slice(first,first+number5))this.list.
+append(this.makeItem(group));this.more.hidden=this.list.childElementCount>=groups.length}item(group){return this.list.querySelector(
+`[data-number="${group.number}"]`)}makeItem(group){let isOpen=group===this.chosen,[what,...rest2]=group.message.split(";\
+ "),head=element("button",{type:"button",class:"finding-head","aria-expanded":String(isOpen)},element("span",{class:"bad\
+ge"},String(group.number)),element("span",{class:"what"},what.replace(/ \([^)]*\)/g,"")),element("span",{class:"message"},
+rest2.join("; ")));head.addEventListener("click",()=>this.choose(isOpen?void 0:group));let item=element("li",{class:isOpen?
+"open":""},head,isOpen&&this.details(group));return item.dataset.number=String(group.number),item}details(group){let list=element(
+"dl",{class:"details"}),add2=(term,...values)=>list.append(element("dt",{},term),element("dd",{},...values)),findings=element(
+"button",{type:"button",class:"show"},`its ${count(group.findings.length)} in the list of findings`);if(findings.addEventListener(
+"click",()=>{byId("findings-tab").click(),byId("findings-panel").scrollTop=0}),add2("findings",findings),group.where&&add2(
+"place",group.where.nearest.map(String).join(", ")),group.faces.length>0){let faces=element("ul"),most=12;for(let{change,
+areas}of group.faces.slice(0,most))faces.append(element("li",{},`${change}: ${areasText(areas)}`));group.faces.length>most&&
+faces.append(element("li",{},`${count(group.faces.length-most)} more`)),add2("faces",faces)}let sources=element("ul");for(let source of group.
+sources.slice(0,8))sources.append(element("li",{},this.drawing.sourceText(source)));return group.sources.length>0&&add2(
+"from",sources),list}};function areasText(areas){let largest=[...areas].sort((a,b)=>b-a).slice(0,4).map(area2=>number(area2,
+4)),more=areas.length-largest.length;return(largest.join(", ")||"area unknown")+(more>0?` and ${more} more`:"")}function boxOfGroup(group,drawing){
+let corners=[drawing.local(group.low),drawing.local(group.high)],xs=corners.map(([x])=>x),ys=corners.map(([,y])=>y),[left2,
+right2,top2,bottom2]=[Math.min(...xs),Math.max(...xs),Math.min(...ys),Math.max(...ys)],half=Math.max(right2-left2,bottom2-
+top2,4*drawing.report.tolerance)*.75,[cx,cy]=[(left2+right2)/2,(top2+bottom2)/2];return{left:cx-half,right:cx+half,top:cy-
+half,bottom:cy+half}}var cell=30,reach=14,mostNumbers=4,Places=class{constructor(findings,drawing){this.findings=findings.filter(finding=>finding.
 where),this.x=new Float64Array(this.findings.length),this.y=new Float64Array(this.findings.length),this.findings.forEach(
 (finding,i)=>{[this.x[i],this.y[i]]=drawing.local(finding.where.nearest)})}};function markersOf({findings,x,y},view){let{
 k,x:shiftX,y:shiftY}=view.transform,squares=new Map,columns2=Math.ceil(view.width/cell)+4,left2=Math.floor(-shiftX/cell)-
@@ -1801,18 +1803,19 @@ parts.push(`tolerance ${number(report.tolerance)}`),facts.textContent=parts.join
 report)}function radiusAdvice(report){let sentences=[];report.crowded_vertices>0&&sentences.push(`The radius is larger t\
 han details of the drawing: ${count(report.crowded_vertices)} of its ${count(report.counts.exact.vertices)} vertices are\
  nearer to another one.`);let[least,largest]=report.right_radii??[];return least!==void 0&&largest!==void 0?sentences.push(
-`Every radius tried from ${number(least)} to ${number(largest)} is right.`):report.tried_radii.length>0&&sentences.push(
-"No radius that was tried is right."),sentences.join(" ")}var namesOfGraph=["vertices","edges","components"],countsOf=(report,name)=>report.
-counts[name==="authored"?"exact":name];function totalArea(drawing,name){return drawing.complexes[name].area.reduce((sum,area2)=>sum+
-area2,0)}function showAnswers(drawing,table2){let{report}=drawing,head=element("tr",{},element("td"));for(let name of complexNames)
-head.append(element("th",{scope:"col"},element("span",{class:`swatch ${name}`}),complexTitle[name]));let body=element("t\
-body"),addRow=(title,texts,isOfGraph=!1)=>{report.compared==="graph"&&!isOfGraph&&(texts[texts.length-1]="\u2013");let row2=element(
-"tr",{},element("th",{scope:"row"},title));texts.forEach((text,i)=>row2.append(element("td",{class:i>0&&text!==texts[0]?
-"differs":""},text))),body.append(row2)};for(let[name,title]of rows){let values=complexNames.map(complex=>countsOf(report,
-complex)[name]);name==="isolated_vertices"&&values.every(value2=>value2===0)||addRow(title,values.map(count),namesOfGraph.
-includes(name))}addRow("area of all faces",complexNames.map(name=>number(totalArea(drawing,name),7)));let conversionValid=report.
-conversion.every(finding=>finding.disagreement!=="invalid");addRow("valid complex",["yes",conversionValid?"yes":"no",report.
-float_valid?"yes":"no"],!0),table2.append(element("thead",{},head),body)}var margin=.06,mostZoom=1e13,leastZoom=.1,keyStep=.15,keyZoom=1.5,flight=650,View=class{constructor(stage,content){this.
+`Right is --radius ${report.advised_radius??largest}, and all that were tried from ${number(least)} to ${number(largest)}\
+.`):report.tried_radii.length>0&&sentences.push("No radius that was tried is right."),sentences.join(" ")}var namesOfGraph=[
+"vertices","edges","components"],countsOf=(report,name)=>report.counts[name==="authored"?"exact":name];function totalArea(drawing,name){
+return drawing.complexes[name].area.reduce((sum,area2)=>sum+area2,0)}function showAnswers(drawing,table2){let{report}=drawing,
+head=element("tr",{},element("td"));for(let name of complexNames)head.append(element("th",{scope:"col"},element("span",{
+class:`swatch ${name}`}),complexTitle[name]));let body=element("tbody"),addRow=(title,texts,isOfGraph=!1)=>{report.compared===
+"graph"&&!isOfGraph&&(texts[texts.length-1]="\u2013");let row2=element("tr",{},element("th",{scope:"row"},title));texts.
+forEach((text,i)=>row2.append(element("td",{class:i>0&&text!==texts[0]?"differs":""},text))),body.append(row2)};for(let[
+name,title]of rows){let values=complexNames.map(complex=>countsOf(report,complex)[name]);name==="isolated_vertices"&&values.
+every(value2=>value2===0)||addRow(title,values.map(count),namesOfGraph.includes(name))}addRow("area of all faces",complexNames.
+map(name=>number(totalArea(drawing,name),7)));let conversionValid=report.conversion.every(finding=>finding.disagreement!==
+"invalid");addRow("valid complex",["yes",conversionValid?"yes":"no",report.float_valid?"yes":"no"],!0),table2.append(element(
+"thead",{},head),body)}var margin=.06,mostZoom=1e13,leastZoom=.1,keyStep=.15,keyZoom=1.5,flight=650,View=class{constructor(stage,content){this.
 stage=stage;this.content=content;this.listeners=[];this.still=matchMedia("(prefers-reduced-motion: reduce)");this.width=
 1;this.height=1;this.transform=identity4;this.selection=select(stage),this.behavior=zoom2().on("zoom",event=>this.moveTo(
 event.transform,!0)).on("end",event=>this.moveTo(event.transform,!1)),this.selection.call(this.behavior).on("dblclick.zo\
@@ -1836,31 +1839,36 @@ width,this.height/height),to=identity4.translate(this.width/2,this.height/2).sca
 transform.k;this.selection.interrupt(),this.behavior.translateBy(this.selection,x*keyStep*this.width/k,y*keyStep*this.height/
 k)},action={ArrowLeft:()=>pan(1,0),ArrowRight:()=>pan(-1,0),ArrowUp:()=>pan(0,1),ArrowDown:()=>pan(0,-1),"+":()=>this.zoomBy(
 keyZoom),"=":()=>this.zoomBy(keyZoom),"-":()=>this.zoomBy(1/keyZoom),0:()=>this.showAll(),Home:()=>this.showAll()}[event.
-key];action&&(event.preventDefault(),action())}};async function readReport(){return await(await unpacked(byId("report").textContent)).json()}function showPicture(drawing,list,groups){
-let stage=byId("stage"),view=new View(stage,drawing.box),scene=new Scene(byId("lines"),byId("below"),view,drawing),overlay=new Overlay(
-byId("overlay"),view,drawing,scene);return scene.onDraw=()=>overlay.draw(),connectLayers(scene,overlay),connectView(view),
-connectFindings(drawing,list,view,overlay),groups.onChoose=group=>{list.setGroup(group),group&&view.show(boxOfGroup(group,
-drawing))},list.onLeaveGroup=()=>groups.choose(void 0),new Hover(byId("tip"),view,drawing,scene,overlay,byId("readout"),
-finding=>{byId("findings-tab").click(),list.choose(finding)}),scene.drawNow(),Object.assign(window,{plumbline:{view,scene,
-drawing}}),{goTo:step=>showStep(step,drawing,view),recolour:()=>scene.recolour()}}function connectFindings(drawing,list,view,overlay){
+key];action&&(event.preventDefault(),action())}};var isNarrow=matchMedia("(max-width: 860px)");async function readReport(){return await(await unpacked(byId("report").textContent)).
+json()}function showPicture(drawing,list,groups){let stage=byId("stage"),view=new View(stage,drawing.box),scene=new Scene(
+byId("lines"),byId("below"),view,drawing),overlay=new Overlay(byId("overlay"),view,drawing,scene);scene.onDraw=()=>overlay.
+draw(),connectLayers(scene,overlay),connectView(view),connectFindings(drawing,list,view,overlay);let markOfGroup=new Map(
+drawing.report.groups.map(group=>[markOf(group,drawing),group])),showMarks=()=>overlay.setFindings(byId("groups-panel").
+hidden||groups.isChosen?list.filtered:[...markOfGroup.keys()]);groups.onChoose=group=>{list.setGroup(group),group&&(view.
+show(boxOfGroup(group,drawing)),isNarrow.matches&&stage.scrollIntoView())},list.onFilter=showMarks,list.onLeaveGroup=()=>groups.
+choose(void 0);for(let tab of document.querySelectorAll('[role="tab"]'))tab.addEventListener("click",showMarks);return showMarks(),
+new Hover(byId("tip"),view,drawing,scene,overlay,byId("readout"),finding=>{let group=markOfGroup.get(finding);if(group)return groups.
+choose(group);byId("findings-tab").click(),list.choose(finding)}),scene.drawNow(),Object.assign(window,{plumbline:{view,
+scene,drawing}}),{goTo:step=>showStep(step,drawing,view),recolour:()=>scene.recolour()}}function connectFindings(drawing,list,view,overlay){
 let sidesOf=finding=>[{complex:drawing.complexes[list.comparison],cells:finding.float_cells},{complex:drawing.complexes.
-authored,cells:finding.exact_cells}];list.onFilter=findings2=>overlay.setFindings(findings2),list.onChoose=finding=>{overlay.
-chosen=finding&&{finding,sides:sidesOf(finding)},finding&&view.show(boxOf(finding,overlay.chosen.sides,drawing)),overlay.
-draw()},overlay.setFindings(list.all),view.stage.addEventListener("keydown",event=>{(event.key==="n"||event.key==="p")&&
-byId("findings-tab").click(),event.key==="n"&&list.step(1),event.key==="p"&&list.step(-1),event.key==="Escape"&&list.onLeaveGroup(),
-event.key==="Escape"&&list.choose(void 0)});let findings=plural(drawing.report.findings.length,"finding");view.stage.setAttribute(
-"aria-label",`The drawing with ${findings}. Arrow keys pan, + and - zoom, 0 shows all, n and p go through the findings.`)}
-function connectComparison({report},list){let choice=byId("comparison");choice.hidden=report.conversion.length===0;let buttons=[
-...choice.querySelectorAll("button")];for(let button of buttons)button.addEventListener("click",()=>{for(let other of buttons)
-other.setAttribute("aria-pressed",String(other===button));list.setComparison(button.value)})}function showStep(step,drawing,view){
-let complex=drawing.complexes.authored,[x,y]=[complex.x[step.vertex],complex.y[step.vertex]],half=3*step.radius;view.show(
-{left:x-half,right:x+half,top:y-half,bottom:y+half})}function showFailure(error2){let reason=error2 instanceof Error?error2.
-message:String(error2);for(let id2 of["layers","tools","scale"])byId(id2).hidden=!0;byId("stage").replaceChildren(element(
-"p",{class:"failure",role:"alert"},`No picture: ${reason}.`))}async function start2(){let report=await readReport();showHead(
-report,byId("title"),byId("verdict"),byId("facts"),byId("radius-advice"));let drawing=await Drawing.read(report,byId("ar\
-rays").textContent);showAnswers(drawing,byId("answers")),showInputs(drawing,byId("inputs-panel")),byId("groups-tab").append(
-` ${report.groups.length}`),byId("findings-tab").append(` ${report.findings.length}`),connectTabs();let list=new FindingList(
-drawing),groups=new GroupList(drawing);connectComparison(drawing,list);let picture;try{picture=showPicture(drawing,list,
-groups)}catch(error2){showFailure(error2)}showLadder(report,byId("ladder-panel"),step=>picture?.goTo(step)),connectPrinting(
-isPrinting=>{isPrinting&&groups.showAll(),list.setPrinting(isPrinting),picture?.recolour()}),document.documentElement.dataset.
-ready="yes"}start2().catch(error2=>{throw showFailure(error2),error2});})();
+authored,cells:finding.exact_cells}];list.onChoose=finding=>{overlay.chosen=finding&&{finding,sides:sidesOf(finding)},finding&&
+view.show(boxOf(finding,overlay.chosen.sides,drawing)),overlay.draw()},view.stage.addEventListener("keydown",event=>{(event.
+key==="n"||event.key==="p")&&byId("findings-tab").click(),event.key==="n"&&list.step(1),event.key==="p"&&list.step(-1),event.
+key==="Escape"&&list.onLeaveGroup(),event.key==="Escape"&&list.choose(void 0)});let findings=plural(drawing.report.findings.
+length,"finding");view.stage.setAttribute("aria-label",`The drawing with ${findings}. Arrow keys pan, + and - zoom, 0 sh\
+ows all, n and p go through the findings.`)}function markOf(group,{report}){return{...report.findings[group.lead-1],number:group.
+number,kind:"group",disagreement:"",message:group.message}}function connectComparison({report},list){let choice=byId("co\
+mparison");choice.hidden=report.conversion.length===0;let buttons=[...choice.querySelectorAll("button")];for(let button of buttons)
+button.addEventListener("click",()=>{for(let other of buttons)other.setAttribute("aria-pressed",String(other===button));
+list.setComparison(button.value)})}function showStep(step,drawing,view){let complex=drawing.complexes.authored,[x,y]=[complex.
+x[step.vertex],complex.y[step.vertex]],half=3*step.radius;view.show({left:x-half,right:x+half,top:y-half,bottom:y+half})}
+function showFailure(error2){let reason=error2 instanceof Error?error2.message:String(error2);for(let id2 of["layers","t\
+ools","scale"])byId(id2).hidden=!0;byId("stage").replaceChildren(element("p",{class:"failure",role:"alert"},`No picture:\
+ ${reason}.`))}async function start2(){let report=await readReport();showHead(report,byId("title"),byId("verdict"),byId(
+"facts"),byId("radius-advice"));let drawing=await Drawing.read(report,byId("arrays").textContent);showAnswers(drawing,byId(
+"answers")),showInputs(drawing,byId("inputs-panel")),byId("groups-tab").append(` ${report.groups.length}`),byId("finding\
+s-tab").append(` ${report.findings.length}`),connectTabs();let list=new FindingList(drawing),groups=new GroupList(drawing);
+connectComparison(drawing,list);let picture;try{picture=showPicture(drawing,list,groups)}catch(error2){showFailure(error2)}
+showLadder(report,byId("ladder-panel"),step=>picture?.goTo(step)),connectPrinting(isPrinting=>{isPrinting&&groups.showAll(),
+list.setPrinting(isPrinting),picture?.recolour()}),document.documentElement.dataset.ready="yes"}start2().catch(error2=>{
+throw showFailure(error2),error2});})();
