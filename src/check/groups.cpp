@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "check/hanging_together.hpp"
+#include "geometry/sum.hpp"
 
 namespace plumbline {
 namespace {
@@ -18,16 +19,16 @@ bool is_of_line_work(const Finding& finding) {
 }
 
 double area_of(const ExactComplex& complex, std::size_t face) {
-  Rational twice = 0;
+  std::vector<Rational> twice;
   const auto add = [&](CycleId cycle) {
     for (const HalfedgeId h : complex.cycles[cycle]) {
       const Point p = complex.vertices[complex.origin(h)], q = complex.vertices[complex.target(h)];
-      twice += p.x * q.y - q.x * p.y;
+      twice.push_back(p.x * q.y - q.x * p.y);
     }
   };
   add(complex.face_outer[face]);
   for (const CycleId hole : complex.face_holes[face]) add(hole);
-  return nearest_double(twice / 2);
+  return nearest_double(sum_of(std::move(twice)) / 2);
 }
 
 /// **Rounded**.

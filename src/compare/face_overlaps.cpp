@@ -7,6 +7,7 @@
 
 #include "compare/courses.hpp"
 #include "compare/locate_faces.hpp"
+#include "geometry/sum.hpp"
 #include "geometry/union_find.hpp"
 #include "plumbline/error.hpp"
 
@@ -42,7 +43,8 @@ class OverlapSums {
       }
     }
     std::vector<Region> result;
-    for (const auto& [pair, twice] : twice_) {
+    for (auto& [pair, terms] : twice_) {
+      const Rational twice = sum_of(std::move(terms));
       ensure(sgn(twice) >= 0, "what faces of valid complexes have in common has no negative area");
       if (sgn(twice) == 0) continue;
       Region& region = result.emplace_back(Region{twice / 2, {}});
@@ -67,7 +69,7 @@ class OverlapSums {
   const Courses courses_;
   Both<std::vector<bool>> is_asked_;
   /// By exact and float face; where there is none that is asked for, kNoFace.
-  std::map<std::pair<std::size_t, std::size_t>, Rational> twice_;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Rational>> twice_;  ///< to be added
 };
 
 /// The edges between two faces of which at least one is asked for.
@@ -141,11 +143,7 @@ void OverlapSums::add_piece(Side side, EdgeId e, const Piece& piece) {
     if (!gain) gain = cross(*piece.from, *piece.to);
     std::pair pair(asked(side, here), asked(other(side), there));
     if (side == Float) std::swap(pair.first, pair.second);
-    if (is_right) {
-      twice_[pair] -= *gain;
-    } else {
-      twice_[pair] += *gain;
-    }
+    twice_[pair].push_back(is_right ? Rational(-*gain) : *gain);
   }
 }
 
