@@ -76,6 +76,22 @@ std::optional<std::size_t> WrongCells::same(const Finding& finding) const {
       if (is_near(finding, comparison_.findings[it->second])) return it->second;
     }
   }
+  return finding.segments.empty() ? same_place(finding) : std::nullopt;
+}
+
+/// Of a face that only the float side has, and of which no segments are known: another one in the
+/// same exact face, with its place there.
+std::optional<std::size_t> WrongCells::same_place(const Finding& finding) const {
+  if (finding.kind != CellKind::Face || !finding.lies_in) return std::nullopt;
+  for (std::size_t i = 0; i < comparison_.findings.size(); ++i) {
+    const Finding& other = comparison_.findings[i];
+    const bool is_alike = other.kind == CellKind::Face && other.exact_cells.empty() &&
+                          other.lies_in == finding.lies_in;
+    if (is_alike &&
+        distance(nearest(finding.where), nearest(other.where)) <= kReach * comparison_.tolerance) {
+      return i;
+    }
+  }
   return std::nullopt;
 }
 

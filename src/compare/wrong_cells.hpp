@@ -42,6 +42,7 @@ class WrongCells {
   static constexpr std::size_t kKinds = 5;
 
   bool is_near(const Finding& finding, const Finding& other) const;
+  std::optional<std::size_t> same_place(const Finding& finding) const;
 
   const Comparison& comparison_;
   /// Per kind and exact cell the first finding that it is in, plus 1.
