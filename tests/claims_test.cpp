@@ -137,3 +137,75 @@ TEST_CASE("some of the faces: each is one of the drawing's, whatever else there 
         "face extra (4 3.125)\n");
   CHECK(findings(some(files::read_wkt(std::string(kInner) + kInner, "r"))).find("face extra") == 0);
 }
+
+namespace {
+
+Check some_held(const std::string& drawing, const std::string& result) {
+  const SegmentSet input = evaluate(read_wkt(drawing, "d.wkt"));
+  Answer answer = files::answer(files::read_wkt(result, "r.wkt"));
+  answer.compared = Compared::SomeFaces;
+  return check(input, arrange(input), std::move(answer));
+}
+
+constexpr const char* kSquare = "LINESTRING (0 0, 4 0, 4 4, 2 4, 0 4, 0 0)";
+
+}  // namespace
+
+TEST_CASE("a chosen face that is none of the drawing's has its area") {
+  const Check result = some_held(kSquare, "POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))");
+  REQUIRE(result.groups.size() == 1);
+  REQUIRE(result.groups[0].faces.size() == 1);
+  CHECK(result.groups[0].faces[0].areas == std::vector<double>{12});
+  CHECK(result.groups[0].area == 12);
+}
+
+TEST_CASE("a spike of a chosen face is an edge of the drawing, or wrong") {
+  for (const char* spike : {"POLYGON ((0 0, 4 0, 4 4, 2 4, 2 9, 2 4, 0 4, 0 0))",
+                            "POLYGON ((0 0, 4 0, 4 4, 2 4, 2 3, 2 4, 0 4, 0 0))"}) {
+    INFO(spike);
+    CHECK_FALSE(some_held(kSquare, spike).agree());
+  }
+  CHECK(some_held(std::string(kSquare) + "\nLINESTRING (2 4, 2 3)",
+                  "POLYGON ((0 0, 4 0, 4 4, 2 4, 2 3, 2 4, 0 4, 0 0))")
+            .agree());
+}
+
+namespace {
+
+// Three medians through one point, which doubles take apart.
+constexpr const char* kMedians =
+    "LINESTRING (500001.3 5000003.7, 500001.0 5000002.8)\n"
+    "LINESTRING (500000.7 5000001.9, 500001.5 5000001.35)\n"
+    "LINESTRING (500002.3 5000000.8, 500001.8 5000002.25)\n"
+    "LINESTRING (500001.0 5000002.8, 500000.7 5000001.9)\n"
+    "LINESTRING (500001.5 5000001.35, 500002.3 5000000.8)\n"
+    "LINESTRING (500001.8 5000002.25, 500001.3 5000003.7)\n"
+    "LINESTRING (500002.3 5000000.8, 500001.0 5000002.8)\n"
+    "LINESTRING (500001.3 5000003.7, 500001.5 5000001.35)\n"
+    "LINESTRING (500000.7 5000001.9, 500001.8 5000002.25)\n";
+// The faces of the exact arrangement of the doubles.
+constexpr const char* kOverDoubles =
+    "POLYGON((500001.0 5000002.8,500000.7 5000001.9,500001.4333333332 "
+    "5000002.133333334,500001.0 5000002.8))\n"
+    "POLYGON((500001.4333333332 5000002.133333334,500000.7 5000001.9,500001.5 "
+    "5000001.35,500001.43333333335 5000002.133333333,500001.4333333332 5000002.133333334))\n"
+    "POLYGON((500001.3 5000003.7,500001.0 5000002.8,500001.4333333332 "
+    "5000002.133333334,500001.4333333333 5000002.133333334,500001.3 5000003.7))\n"
+    "POLYGON((500001.3 5000003.7,500001.4333333333 5000002.133333334,500001.8 "
+    "5000002.25,500001.3 5000003.7))\n"
+    "POLYGON((500001.4333333333 5000002.133333334,500001.4333333332 "
+    "5000002.133333334,500001.43333333335 5000002.133333333,500001.4333333333 "
+    "5000002.133333334))\n"
+    "POLYGON((500001.4333333333 5000002.133333334,500001.43333333335 "
+    "5000002.133333333,500002.3 5000000.8,500001.8 5000002.25,500001.4333333333 "
+    "5000002.133333334))\n"
+    "POLYGON((500001.43333333335 5000002.133333333,500001.5 5000001.35,500002.3 "
+    "5000000.8,500001.43333333335 5000002.133333333))\n";
+
+}  // namespace
+
+TEST_CASE("what rounding alone makes is not its maker's, a new sliver neither") {
+  const Check result = held(kMedians, kOverDoubles);
+  REQUIRE_FALSE(result.agree());
+  for (const Cause& cause : result.causes) CHECK(cause.stage == kParse);
+}

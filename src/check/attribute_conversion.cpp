@@ -81,6 +81,8 @@ std::vector<Cause> attribute_to_engine(const Comparison& comparison, const std::
     cause.explanation =
         same ? "rounding the drawing to doubles makes a part of it: its maker did the rest"
              : "rounding the drawing to doubles does not make it: its maker did";
+    // Which rounding would do to a single face, nobody looked at.
+    if (comparison.compared == Compared::SomeFaces) cause.explanation = "no face is bounded so";
     if (finding.distance && !is_invalid) cause.distance = finding.distance;
     causes.push_back(same ? with(std::move(cause), converted.causes[*same]) : std::move(cause));
   }

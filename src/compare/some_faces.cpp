@@ -9,6 +9,7 @@
 
 #include "compare/claims.hpp"
 #include "compare/near_vertices.hpp"
+#include "geometry/sum.hpp"
 
 namespace plumbline::compare_steps {
 namespace {
@@ -28,16 +29,58 @@ std::vector<std::vector<HalfedgeId>> boundaries(const ExactComplex& complex) {
   return result;
 }
 
-class FaceSearch {
+/// Per face the antennas that its cycles run along.
+std::vector<std::vector<EdgeId>> antennas(const ExactComplex& complex) {
+  std::vector<std::vector<EdgeId>> result(complex.face_count());
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    const FaceId face = complex.halfedge_face[halfedge(EdgeId(e), false)];
+    if (complex.is_antenna(EdgeId(e))) result[face].emplace_back(e);
+  }
+  return result;
+}
+
+Rational area(const ExactComplex& complex, const std::vector<HalfedgeId>& boundary) {
+  std::vector<Rational> twice;
+  for (const HalfedgeId h : boundary) {
+    const Point p = complex.vertices[complex.origin(h)], q = complex.vertices[complex.target(h)];
+    twice.push_back(p.x * q.y - q.x * p.y);
+  }
+  return sum_of(std::move(twice)) / 2;
+}
+
+/// The vertices of a complex nearest to those of another one, within a tolerance.
+class Images {
  public:
-  FaceSearch(const ExactComplex& exact_complex, const ExactComplex& other, double tolerance)
-      : claims_(claimed_by_polygons(exact_complex, other, tolerance)), other_(other) {
-    const FilteredPoints points(claims_.complex.vertices), others(other.vertices);
+  Images(const ExactComplex& complex, const ExactComplex& other, double tolerance) {
+    const FilteredPoints points(complex.vertices), others(other.vertices);
     const NearVertices near(points);
     const Rational bound = rational_from(tolerance) * rational_from(tolerance);
     for (std::size_t v = 0; v < other.vertices.size(); ++v) {
-      image_.push_back(nearest(near.proposals(others.rough(v), tolerance), VertexId(v), bound));
+      VertexId best;
+      Rational least = bound;
+      for (const VertexId w : near.proposals(others.rough(v), tolerance)) {
+        const Rational distance = squared_distance(other.vertices[v], complex.vertices[w]);
+        if (distance > least || (best.valid() && distance == least && best < w)) continue;
+        least = distance;
+        best = w;
+      }
+      image_.push_back(best);
     }
+  }
+  VertexId operator[](VertexId v) const { return image_[v]; }
+
+ private:
+  std::vector<VertexId> image_;
+};
+
+class FaceSearch {
+ public:
+  FaceSearch(const ExactComplex& exact_complex, const ExactComplex& other, double tolerance)
+      : claims_(claimed_by_polygons(exact_complex, other, tolerance)),
+        other_(other),
+        image_(claims_.complex, other, tolerance),
+        image_with_antennas_(exact_complex, other, tolerance) {
+    for (const Edge& edge : exact_complex.edges) edges_.emplace(edge.tail, edge.head);
     const auto faces = boundaries(claims_.complex);
     for (std::size_t f = 1; f < faces.size(); ++f) {
       VertexPairs sides;
@@ -49,7 +92,8 @@ class FaceSearch {
     }
   }
 
-  void look_for(std::size_t face, const std::vector<HalfedgeId>& boundary, Comparison& result) {
+  void look_for(std::size_t face, const std::vector<HalfedgeId>& boundary,
+                const std::vector<EdgeId>& antennas, Comparison& result) {
     Finding finding;
     finding.kind = CellKind::Face;
     finding.disagreement = Disagreement::Extra;
@@ -62,6 +106,13 @@ class FaceSearch {
         finding.where = other_.vertices[v];
       }
       sides.emplace_back(image_[v], image_[w]);
+    }
+    for (const EdgeId e : antennas) {
+      const Edge& edge = other_.edges[e];
+      const VertexId v = image_with_antennas_[edge.tail], w = image_with_antennas_[edge.head];
+      if (!finding.message.empty() || edges_.contains({std::min(v, w), std::max(v, w)})) continue;
+      finding.message = "an edge within a face of the result is no edge of the exact complex";
+      finding.where = other_.vertices[edge.tail];
     }
     std::ranges::sort(sides);
     const auto found = faces_.find(sides);
@@ -77,28 +128,18 @@ class FaceSearch {
     if (finding.message.empty()) {
       ++result.matched_faces;
     } else {
+      finding.area = area(other_, boundary);
       result.findings.push_back(std::move(finding));
     }
   }
 
  private:
-  VertexId nearest(const std::vector<VertexId>& proposals, VertexId v,
-                   const Rational& bound) const {
-    VertexId best;
-    Rational least = bound;
-    for (const VertexId w : proposals) {
-      const Rational distance = squared_distance(other_.vertices[v], claims_.complex.vertices[w]);
-      if (distance > least || (best.valid() && distance == least && best < w)) continue;
-      least = distance;
-      best = w;
-    }
-    return best;
-  }
-
   const Claims claims_;
   const ExactComplex& other_;
-  std::vector<VertexId> image_;          ///< per vertex of the other complex the nearest one
-  std::map<VertexPairs, FaceId> faces_;  ///< of the exact complex
+  const Images image_;                             ///< among the vertices of faces without antennas
+  const Images image_with_antennas_;               ///< among all
+  std::set<std::pair<VertexId, VertexId>> edges_;  ///< of the exact complex, antennas too
+  std::map<VertexPairs, FaceId> faces_;            ///< of the exact complex
   std::set<FaceId> seen_;
 };
 
@@ -114,7 +155,10 @@ Comparison some_faces(const ExactComplex& exact_complex, const ExactComplex& oth
   result.float_counts = counts(other_complex, other_complex.vertices.size());
   FaceSearch search(exact_complex, other_complex, tolerance);
   const auto faces = boundaries(other_complex);
-  for (std::size_t f = 1; f < faces.size(); ++f) search.look_for(f, faces[f], result);
+  const auto within = antennas(other_complex);
+  for (std::size_t f = 1; f < faces.size(); ++f) {
+    search.look_for(f, faces[f], within[f], result);
+  }
   return result;
 }
 
