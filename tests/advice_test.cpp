@@ -124,3 +124,19 @@ TEST_CASE("the number of runs is bounded, and they can be cancelled") {
   options.progress = [](double) { return false; };
   CHECK_THROWS_AS(advised(input, options), Error);
 }
+
+TEST_CASE("radii are right within the tolerance that the check was made with") {
+  const SegmentSet input =
+      segments("500000 5000000 500003 5000001  500000 5000001 500003 5000000.1");
+  CheckOptions options;
+  options.tolerance = 1e-10;
+  const Check result =
+      advised(check(input, arrange(input), answer_of(lar::engine(), input), options));
+  REQUIRE_FALSE(result.agree());
+  const double radius = *result.answer.radius;
+  const RightRadii& radii = *result.right_radii;
+  INFO(verdicts(radii.tried));
+  CHECK(std::any_of(radii.tried.begin(), radii.tried.end(),
+                    [&](const TriedRadius& t) { return t.radius == radius && !t.is_right; }));
+  CHECK((radii.empty() || radius < radii.least || radius > radii.largest));
+}

@@ -105,11 +105,11 @@ struct AdviceOptions {
 
 /// The check, with advice: the smallest exact features, the tolerance ladder, and, where the answer
 /// has `with_radius`, the radii for which the engine gives the exact complex (`compare`, its
-/// tolerance the radius, finds nothing or what is the drawing's own). Tried are the least radius
-/// there is, radii a percent below and above critical ones of the ladder, and, by bisection to one
-/// percent, where right ones end. Degenerate: a drawing without edges has no features. Cost: that
-/// of `tolerance_ladder`, and `max_runs` of the engine and, where the numbers of cells are right,
-/// `compare`. Throws: as these; Cancelled.
+/// tolerance the radius, or that of the check where it is another one, finds nothing or what is the
+/// drawing's own). Tried are the least radius there is, radii a percent below and above critical
+/// ones of the ladder, and, by bisection to one percent, where right ones end. Degenerate: a
+/// drawing without edges has no features. Cost: that of `tolerance_ladder`, and `max_runs` of the
+/// engine and, where the numbers of cells are right, `compare`. Throws: as these; Cancelled.
 Check advised(Check check, const AdviceOptions& options = {});
 
 }  // namespace plumbline

@@ -28,7 +28,12 @@ constexpr std::size_t kLeastTrials = 6;
 class Trials {
  public:
   Trials(const Check& check, const AdviceOptions& options)
-      : check_(check), exact_(check.exact_complex), options_(options) {}
+      : check_(check),
+        exact_(check.exact_complex),
+        tolerance_(check.comparison.tolerance == check.answer.radius
+                       ? std::nullopt
+                       : std::optional(check.comparison.tolerance)),
+        options_(options) {}
 
   /// Whether the search may: one run is left for what is advised.
   bool may_go_on() const { return runs_ + 1 < options_.max_runs; }
@@ -89,7 +94,7 @@ class Trials {
           check_.answer.with_radius(check_.input, radius, options_.threads);
       // Of the first one, the least there is, what is left is told in any case.
       if (runs_ > 1 && !may_be_right(complex)) return {used, false};
-      const std::size_t left = findings_left(compare(exact_, complex, used));
+      const std::size_t left = findings_left(compare(exact_, complex, tolerance_.value_or(used)));
       return {used, left == 0, left};
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Limit) return {radius, false};
@@ -127,6 +132,8 @@ class Trials {
 
   const Check& check_;
   const ExactComplex& exact_;
+  const std::optional<double>
+      tolerance_;  ///< where the user chose one; else each radius is its own
   const AdviceOptions& options_;
   std::vector<TriedRadius> tried_;  ///< ascending
   std::size_t runs_ = 0;
@@ -164,7 +171,7 @@ RightRadii longest_run(const std::vector<TriedRadius>& tried) {
 RightRadii right_radii(const Check& check, const AdviceOptions& options) {
   Trials trials(check, options);
   trials.is_right(0);  // raised to the least radius there is
-  if (check.answer.radius && check.comparison.tolerance == *check.answer.radius) {
+  if (check.answer.radius) {
     const std::size_t left = check.comparison.findings.size() - check.own_findings();
     trials.record({*check.answer.radius, left == 0, left});
   }
