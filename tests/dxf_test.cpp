@@ -180,7 +180,8 @@ TEST_CASE("what is no line work is harmless; what may be is lost") {
     return lost_of(evaluate(read_dxf(dxf_with(entities), "a.dxf")));
   };
   CHECK(lost("0 TEXT 0 MTEXT 0 ATTDEF 0 DIMENSION 0 LEADER 0 HATCH 0 IMAGE 0 WIPEOUT 0 POINT "
-             "0 VIEWPORT 0 LINE 67 1 0 LINE 8 0 10 1 20 1 11 1 21 1")
+             "0 VIEWPORT 0 LIGHT 0 CAMERA 0 SUN 0 GEOPOSITIONMARKER 0 LINE 67 1 0 LINE 8 0 10 1 20 "
+             "1 11 1 21 1")
             .empty());
   CHECK(lost("0 MLINE 0 XLINE 0 3DSOLID 0 REGION 0 ACAD_PROXY_ENTITY 0 FROBNICATE") ==
         "MLINE XLINE 3DSOLID REGION ACAD_PROXY_ENTITY FROBNICATE ");

@@ -172,7 +172,9 @@ TEST_CASE("geometry that a style attribute places is rejected") {
 
 TEST_CASE("what is no line work is harmless; what may be is lost") {
   CHECK(lost_of(drawn("<text>a</text><image/><foreignObject/><rect width='0' height='1'/>"
-                      "<path d='M1 1'/><line/><defs><line x2='1'/></defs><switch><text/></switch>"))
+                      "<path d='M1 1'/><line/><defs><line x2='1'/></defs><switch><text/></switch>"
+                      "<flowRoot><flowRegion><rect width='3' height='4'/></flowRegion></flowRoot>"
+                      "<path d='none'/>"))
             .empty());
   CHECK(lost_of(drawn("<path d='M0 0L1 1X'/><use href='#none'/><switch><line x2='1'/></switch>"
                       "<rect width='-1' height='1'/><line x2='a'/>")) ==

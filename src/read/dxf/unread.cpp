@@ -8,6 +8,7 @@ namespace {
 
 constexpr const char* kAnnotation = "annotation is not read";
 constexpr const char* kPicture = "fills, pictures and masks are not read";
+constexpr const char* kView = "lights and cameras are not drawn";
 constexpr const char* kEndless = "endless lines are not read";
 constexpr const char* kSolid = "surfaces and solids are not read";
 constexpr std::array kUnread{
@@ -26,7 +27,7 @@ constexpr std::array kUnread{
     Unread{"RTEXT", kAnnotation, true},
     Unread{"ARCALIGNEDTEXT", kAnnotation, true},
     Unread{"HATCH", kPicture, true},
-    Unread{"MPOLYGON", kPicture, false},
+    Unread{"MPOLYGON", "its boundary is not read", false},
     Unread{"IMAGE", kPicture, true},
     Unread{"WIPEOUT", kPicture, true},
     Unread{"OLEFRAME", kPicture, true},
@@ -35,6 +36,10 @@ constexpr std::array kUnread{
     Unread{"DWFUNDERLAY", kPicture, true},
     Unread{"DGNUNDERLAY", kPicture, true},
     Unread{"POINT", "points are not read", true},
+    Unread{"LIGHT", kView, true},
+    Unread{"CAMERA", kView, true},
+    Unread{"SUN", kView, true},
+    Unread{"GEOPOSITIONMARKER", kAnnotation, true},
     Unread{"RAY", kEndless, false},
     Unread{"XLINE", kEndless, false},
     Unread{"3DSOLID", kSolid, false},

@@ -66,6 +66,7 @@ bool holds_drawing(const pugi::xml_node& top) {
 }
 
 bool holds_shape(const pugi::xml_node& top) {
+  if (local_name(top) == "flowRoot") return false;  // its shapes frame a text
   for (auto node = top; node; node = next_below(top, node)) {
     const std::string_view name = local_name(node);
     if (contains(kShapes, name) || name == "use") return true;

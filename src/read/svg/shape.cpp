@@ -72,6 +72,7 @@ class ShapeReader {
   }
 
   Pieces path() const {
+    if (attribute_is_none("d")) throw Unusable{"draws nothing", quoted("d", "none"), true};
     return not_empty(parse_path(element_.attribute("d").value(), tools_.numbers, pen()), "d");
   }
 
@@ -81,6 +82,9 @@ class ShapeReader {
   }
 
  private:
+  bool attribute_is_none(const char* name) const {
+    return std::string_view(element_.attribute(name).value()) == "none";
+  }
   SvgPen pen() const { return {tools_.flattener, tools_.bound}; }
   Number x(const char* name) const { return length(name, viewport_.width); }
   Number y(const char* name) const { return length(name, viewport_.height); }
