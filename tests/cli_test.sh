@@ -183,6 +183,7 @@ expect "the search distance decides" 0 '1 dangle' "$plumbline" info short.lines 
 expect "as many of each kind as asked for" 0 'undershoot: 1.*short.lines:3' "$plumbline" info short.lines --diagnose --within 1/4 --list 1
 expect "the defects as a layer" 0 '^$|matters' "$plumbline" info short.lines --diagnose --within 1/4 --findings d.geojson
 expect "which has their ranks" 0 '"rank": 1' cat d.geojson
+expect "the lesser of which comes first" 2 'lesser one first.*2..1' "$plumbline" info short.lines --diagnose --doors 2..1
 expect "doors have two widths" 2 'LEAST..MOST.*3' "$plumbline" info short.lines --diagnose --doors 3
 expect "the diagnosis as JSON" 0 'plumbline diagnosis 1' cat d.json
 expect "a negative search distance is refused" 2 'negative.*-1' "$plumbline" info short.lines --diagnose --within -1

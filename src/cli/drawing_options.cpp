@@ -181,8 +181,9 @@ Range door_range(const std::string& text) {
     throw Error(ErrorCode::BadInput, "--doors needs LEAST..MOST", {}, text);
   }
   Range range{parse_decimal(text.substr(0, dots)), parse_decimal(text.substr(dots + 2))};
-  if (sgn(range.least) < 0) {
-    throw Error(ErrorCode::BadInput, "a door is not less than 0 wide", {}, text);
+  if (sgn(range.least) < 0 || range.least > range.most || text.find("...") != std::string::npos) {
+    throw Error(ErrorCode::BadInput, "LEAST and MOST are widths, 0 or more, the lesser one first",
+                {}, text);
   }
   return range;
 }
