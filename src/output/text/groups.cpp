@@ -97,8 +97,9 @@ std::string cause_text(const FindingGroup& group, const Check& check) {
     for (const Cause& other : known.with) stages.insert(other.stage);
   }
   stages.erase(cause.stage);
-  std::string text = cause.stage;
-  for (const std::string& stage : stages) text += " and " + stage;
+  std::string text = cause.stage, others;
+  for (const std::string& stage : stages) others += (others.empty() ? "" : " and ") + stage;
+  if (!others.empty()) text += " (also " + others + ")";
   text += group.findings.size() > kManyFindings ? ", for example: " : ": ";
   text += cause.explanation;
   if (check.right_radii && !check.right_radii->empty()) return text;  // one radius for all groups
