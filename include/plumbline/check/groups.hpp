@@ -41,14 +41,17 @@ struct FindingGroup {
 };
 
 /// Groups the findings of a comparison, each in one group. Findings about vertices and edges hang
-/// together where they share a cell, an edge ends in a vertex that has one, or one names the other
-/// as its reason; a face or hole belongs to the group that most of its reasons are in. What is the
-/// file's own, what rounding to doubles made and what the engine made are groups apart where causes
-/// are given (one for each finding, or none). Ordered: an invalid complex first, then by the area
-/// of faces in dispute, by the number of findings, by the first one; groups of the file's own last.
-/// Numbers are rounded, the grouping is not: it follows from indices alone. **Requires**: the
-/// comparison of these two complexes. Cost: linear in cells and findings, but for exact areas of
-/// the faces that findings name.
+/// together where they have a cell or a place in common, an edge ends in a vertex that has one, one
+/// names the other as its reason, an extra edge begins where a missing one does, or an edge joins
+/// two moved vertices; a vertex without finding ends a group. A face or hole belongs to the group
+/// that most of its reasons are in. Wrong cycles and faces of an invalid complex are one group; all
+/// is one where most of the answer lies elsewhere. What is the file's own, what rounding to doubles
+/// made and what the engine made are groups apart where causes are given (one for each finding, or
+/// none). Ordered: an invalid complex first, then by the area of faces in dispute, by the number of
+/// findings, by the first one; groups of the file's own last. Places are compared as nearest
+/// doubles, extra and missing edges within the tolerance; areas are rounded. **Requires**: the
+/// comparison of these two complexes. Cost: O(n log n), and exact areas of the faces that findings
+/// name.
 std::vector<FindingGroup> group_findings(const Comparison& comparison,
                                          const std::vector<Cause>& causes,
                                          const ExactComplex& exact_complex,
