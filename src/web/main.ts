@@ -120,6 +120,8 @@ async function start(): Promise<void> {
   byId("groups-tab").append(` ${report.groups.length}`);
   byId("findings-tab").append(` ${report.findings.length}`);
   connectTabs();
+  // On a phone the picture needs the room.
+  if (isNarrow.matches) byId("layers").querySelector("details")!.open = false;
   const list = new FindingList(drawing);
   const groups = new GroupList(drawing);
   connectComparison(drawing, list);

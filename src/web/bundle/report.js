@@ -1867,8 +1867,8 @@ ools","scale"])byId(id2).hidden=!0;byId("stage").replaceChildren(element("p",{cl
  ${reason}.`))}async function start2(){let report=await readReport();showHead(report,byId("title"),byId("verdict"),byId(
 "facts"),byId("radius-advice"));let drawing=await Drawing.read(report,byId("arrays").textContent);showAnswers(drawing,byId(
 "answers")),showInputs(drawing,byId("inputs-panel")),byId("groups-tab").append(` ${report.groups.length}`),byId("finding\
-s-tab").append(` ${report.findings.length}`),connectTabs();let list=new FindingList(drawing),groups=new GroupList(drawing);
-connectComparison(drawing,list);let picture;try{picture=showPicture(drawing,list,groups)}catch(error2){showFailure(error2)}
-showLadder(report,byId("ladder-panel"),step=>picture?.goTo(step)),connectPrinting(isPrinting=>{isPrinting&&groups.showAll(),
-list.setPrinting(isPrinting),picture?.recolour()}),document.documentElement.dataset.ready="yes"}start2().catch(error2=>{
-throw showFailure(error2),error2});})();
+s-tab").append(` ${report.findings.length}`),connectTabs(),isNarrow.matches&&(byId("layers").querySelector("details").open=
+!1);let list=new FindingList(drawing),groups=new GroupList(drawing);connectComparison(drawing,list);let picture;try{picture=
+showPicture(drawing,list,groups)}catch(error2){showFailure(error2)}showLadder(report,byId("ladder-panel"),step=>picture?.
+goTo(step)),connectPrinting(isPrinting=>{isPrinting&&groups.showAll(),list.setPrinting(isPrinting),picture?.recolour()}),
+document.documentElement.dataset.ready="yes"}start2().catch(error2=>{throw showFailure(error2),error2});})();
