@@ -84,7 +84,7 @@ TEST_CASE("a finding that parsing makes a part of names the stage that made the 
   CHECK(cause.with[0].rule == "decimal-to-double");
   // What parsing made stays with any radius.
   CHECK_FALSE(cause.radius_without);
-  CHECK(to_text(result).find("prune and parse: ") != std::string::npos);
+  CHECK(to_text(result).find("prune (also parse)") != std::string::npos);
 }
 
 TEST_CASE("a finding that parsing makes alone names parsing alone") {
