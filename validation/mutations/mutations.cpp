@@ -5,6 +5,7 @@
 #include <span>
 
 #include "plumbline/check/groups.hpp"
+#include "plumbline/polygons.hpp"
 
 namespace plumbline::mutations {
 namespace {
@@ -34,6 +35,21 @@ std::string listed(const std::vector<Finding>& findings) {
             ": " + f.message + '\n';
   }
   return text;
+}
+
+/// What is left of a complex where its faces are written as polygons.
+ExactComplex of_polygons(const ExactComplex& complex) {
+  Drawing drawing{ExactComplex{}};
+  for (const FacePolygon& polygon : polygons(complex)) {
+    const auto add = [&](std::span<const VertexId> ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        drawing.add(complex.vertices[ring[i]], complex.vertices[ring[(i + 1) % ring.size()]]);
+      }
+    };
+    add(polygon.outer);
+    for (std::size_t h = 0; h < polygon.holes.size(); ++h) add(polygon.holes[h]);
+  }
+  return drawing.arranged();
 }
 
 }  // namespace
@@ -82,6 +98,10 @@ std::string miss(const ExactComplex& right, const Broken& broken) {
 std::string false_alarm(const ExactComplex& right) {
   const Comparison itself = compare(right, right, 0);
   if (!itself.agree()) return "itself:\n" + listed(itself.findings);
+  const Comparison lines = compare(right, right, 0, Compared::Graph);
+  if (!lines.agree()) return "its lines alone:\n" + listed(lines.findings);
+  const Comparison polygons = compare(right, of_polygons(right), 0, Compared::Faces);
+  if (!polygons.agree()) return "its polygons alone:\n" + listed(polygons.findings);
   const FloatComplex rounded = nearest(right);
   if (!validate(exact(rounded)).empty()) return {};  // not a right result
   double largest = 0;

@@ -31,7 +31,7 @@ struct Broken {
   std::vector<Name> names;
   std::vector<Point> places;
   /// At most so many groups of findings: one, or two where something is gone in one place and there
-  /// is something in another that nothing connects with it.
+  /// is something in another that nothing connects with it; more where the break is in many places.
   std::size_t groups = 1;
 };
 
@@ -55,8 +55,8 @@ std::vector<Mutation> all();
 /// What is wrong with the comparison of this mutation, empty if nothing: an expected finding that
 /// is not there, or not in its place.
 std::string miss(const ExactComplex& right, const Broken& broken);
-/// What is wrong with the comparison of a right result, its nearest doubles and itself: any
-/// finding.
+/// What is wrong with the comparison of a right result, its nearest doubles, its lines alone, its
+/// polygons alone and itself: any finding.
 std::string false_alarm(const ExactComplex& right);
 
 }  // namespace plumbline::mutations

@@ -87,11 +87,12 @@ std::optional<Broken> exchange_vertices(Right& right) {
   if (!v.valid() || !w.valid()) return {};
   Parts parts(*right);
   std::swap(parts.vertices[v], parts.vertices[w]);
-  Broken result{parts.complex(), 0, {{CellKind::Edge, Disagreement::Missing}}, {}, 3};
+  Broken result{parts.complex(), 0, {{CellKind::Edge, Disagreement::Missing}}, {}};
   for (const VertexId i : {v, w}) {
     result.places.push_back(right.point(i));
     for (const VertexId n : right.neighbours(i)) result.places.push_back(right.point(n));
   }
+  result.groups = result.places.size();
   return result;
 }
 
@@ -143,7 +144,8 @@ std::optional<Broken> mirror(Right& right) {
     result.places.push_back({-right.point(VertexId(v)).x, right.point(VertexId(v)).y});
   }
   result.names = {broken(Invariant::Orientation)};
-  result.groups = 2;
+  result.groups =
+      1 + right->component_count();  // some are what they were, or are in places of others
   return result;
 }
 
