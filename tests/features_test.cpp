@@ -68,6 +68,20 @@ TEST_CASE("GeoJSON has a valid polygon for each room, with area, neighbours and 
         std::string::npos);
 }
 
+TEST_CASE("where snap rounding changes faces, each polygon has an area of its own") {
+  // A sliver above the lower side, narrower than the grid, which falls into parts.
+  const SegmentSet input = segments("0 0 8 0  8 0 8 4  8 4 0 4  0 4 0 0  0 0 4 0.1  4 0.1 8 0");
+  const ExactComplex complex = arrange(input);
+  const Rounding rounding = safely_rounded(complex, Grid{0});
+  REQUIRE_FALSE(rounding.has_same_incidences());
+  const FeatureLayer layer = face_layer(complex, input, rounding);
+  const std::vector<Rational> areas = face_areas(rounding.complex);
+  REQUIRE(layer.features.size() + 1 == areas.size());
+  for (std::size_t i = 0; i < layer.features.size(); ++i) {
+    CHECK(std::get<double>(layer.features[i].values[1]) == nearest_double(areas[i + 1]));
+  }
+}
+
 TEST_CASE("of several layers each feature says which one it is of") {
   const Written rooms{segments(kRooms)};
   rapidjson::Document json;

@@ -39,7 +39,8 @@ struct Features {
 };
 
 /// The bounded faces of the rounded complex as valid polygons (`polygons`). Columns: `face`, its
-/// index, `area` and `area_exact` of the exact face that it is, or is a part of, `perimeter`,
+/// index, `area` and `area_exact` of the exact face (where the rounding has merged or split any, of
+/// the polygon itself), `perimeter`,
 /// `depth`, `parent`, `neighbours` ("2 5 7"), `sources` (the elements that bound it, "; " between).
 FeatureLayer face_layer(const ExactComplex& complex, const SegmentSet& input,
                         const Rounding& rounding);

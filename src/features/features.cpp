@@ -53,7 +53,8 @@ FeatureLayer face_layer(const ExactComplex& complex, const SegmentSet& input,
       {"face", "area", "area_exact", "perimeter", "depth", "parent", "neighbours", "sources"},
       {}};
   const ExactComplex& rounded = rounding.complex;
-  const std::vector<Rational> areas = face_areas(complex);
+  const bool is_same = rounding.has_same_incidences();
+  const std::vector<Rational> areas = face_areas(is_same ? complex : rounded);
   const std::vector<double> lengths = perimeters(rounded);
   const auto next = neighbours(rounded);
   const auto sources = face_sources(rounded);
@@ -64,7 +65,7 @@ FeatureLayer face_layer(const ExactComplex& complex, const SegmentSet& input,
     for (std::size_t h = 0; h < polygon.holes.size(); ++h) {
       feature.parts.push_back(places(rounded, polygon.holes[h]));
     }
-    const Rational& area = areas.at(rounding.face_origin.at(f));
+    const Rational& area = areas.at(is_same ? rounding.face_origin.at(f) : f);
     feature.values = {number(f),        nearest_double(area),           exact_text(area),
                       lengths[f],       number(rounded.face_depth[f]),  number(rounded.parent(f)),
                       list_of(next[f]), sources_text(input, sources[f])};
