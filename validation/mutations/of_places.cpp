@@ -144,8 +144,7 @@ std::optional<Broken> mirror(Right& right) {
     result.places.push_back({-right.point(VertexId(v)).x, right.point(VertexId(v)).y});
   }
   result.names = {broken(Invariant::Orientation)};
-  result.groups =
-      1 + right->component_count();  // some are what they were, or are in places of others
+  result.groups = right->vertices.size();  // parts that are their own mirror images are right
   return result;
 }
 
