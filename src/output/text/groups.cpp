@@ -17,25 +17,26 @@
 namespace plumbline {
 namespace {
 
-constexpr std::size_t kShownKinds = 4;
-constexpr std::size_t kShownAreas = 3;
+constexpr std::size_t kShownKinds = 3;
+constexpr std::size_t kShownAreas = 2;
 constexpr std::size_t kManyFindings = 8;
 
 std::string plural(CellKind kind) {
   return kind == CellKind::Vertex ? "vertices" : to_text(kind) + 's';
 }
 
-/// "3.5, 0.2, ..."
+/// "area 3.5, 0.2"; of more than a few "largest 3.5".
 std::string areas_text(std::vector<double> areas) {
   std::sort(areas.rbegin(), areas.rend());
-  std::string text;
-  for (std::size_t i = 0; i < std::min(areas.size(), kShownAreas); ++i) {
+  if (areas.size() > kShownAreas) return fmt::format("largest {:.4g}", areas.front());
+  std::string text = "area ";
+  for (std::size_t i = 0; i < areas.size(); ++i) {
     text += fmt::format("{}{:.4g}", i == 0 ? "" : ", ", areas[i]);
   }
-  return areas.size() > kShownAreas ? text + ", ..." : text;
+  return text;
 }
 
-/// "3 faces lost (area 3.5, 0.2, ...)"; of reshaped ones by how much.
+/// "3 faces lost (largest 3.5)"; of reshaped ones by how much.
 std::string changes_text(FaceChange change, const std::vector<const ChangedFaces*>& changes) {
   std::size_t faces = 0;
   double disputed = 0;
@@ -50,7 +51,7 @@ std::string changes_text(FaceChange change, const std::vector<const ChangedFaces
   if (change == FaceChange::Reshaped) {
     return disputed > 0 ? text + fmt::format(" (by {:.4g} of area)", disputed) : text;
   }
-  return areas.empty() ? text : text + fmt::format(" (area {})", areas_text(std::move(areas)));
+  return areas.empty() ? text : text + fmt::format(" ({})", areas_text(std::move(areas)));
 }
 
 /// Counts of what is not about faces, unless that is all there is.
