@@ -76,7 +76,7 @@ TEST_CASE("the text counts what there is, tells what matters most, then lists ea
                   "        text:3:1 text\n        text:5:1 text\n") != std::string::npos);
   CHECK(text.find("\ndangle: 2\n     3. at (12, 5): a line of length 2 has a loose end\n"
                   "        text:7:1 text\n      ... and 1 more\n") != std::string::npos);
-  CHECK(text.find("  0                  1\n  0.25               2\n") != std::string::npos);
+  CHECK(text.find("  0                   1\n  0.25                2\n") != std::string::npos);
   CHECK(text.find("the shortest edge that is part of no defect is 1 long") != std::string::npos);
 }
 

@@ -49,7 +49,7 @@ struct Check {
   Comparison conversion;                 ///< of the complex over the doubles with the exact complex
   std::vector<Cause> conversion_causes;  ///< of its findings
   /// Of the exact complex, how many vertices are nearer to another one than the answer's radius;
-  /// rounded distances decide. 0 where the two agree or there is no radius.
+  /// rounded distances decide. 0 where the two agree but for the drift, or there is no radius.
   std::size_t crowded_vertices = 0;
   Drift drift;  ///< of the exact complex: what the digits leave open
   // Filled in by `advised`.

@@ -124,7 +124,8 @@ Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
   add_failures(result);
   result.groups =
       group_findings(result.comparison, result.causes, result.exact_complex, result.answer.complex);
-  if (!result.agree() && result.answer.radius) {
+  const bool is_own_drift = result.own_findings() == result.comparison.findings.size();
+  if (!is_own_drift && result.answer.radius) {
     result.crowded_vertices = crowded_vertices(result.exact_complex, *result.answer.radius);
   }
   add_dropped(result.input, result.answer);

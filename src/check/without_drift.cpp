@@ -126,8 +126,9 @@ Cause of_drawing(const Drift& drift) {
   cause.stage = kDrawing;
   cause.rule = "below-the-digits";
   cause.explanation = fmt::format(
-      "the file's own digits do not tell apart what is there: joining what is nearer than {:.2g} "
-      "makes it",
+      "the file's own digits leave open whether points nearer than {:.2g} are one, and this hangs "
+      "on "
+      "it",
       drift.bound);
   cause.advice = "--shortest-decimals, if a program printed short numbers with an error";
   cause.confirmed = true;

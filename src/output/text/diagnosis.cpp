@@ -96,14 +96,14 @@ void append_openings(std::string& text, const Diagnosis& diagnosis) {
 void append_tolerances(std::string& text, const Diagnosis& diagnosis) {
   const std::vector<ToleranceEffect>& all = diagnosis.tolerances;
   if (all.empty()) return;
-  text += fmt::format("a repair within  would mend, of {} (check does not repair)\n",
+  text += fmt::format("  joining within  mends, of {} that joining can mend\n",
                       counted(all.back().mended, "defect"));
   const auto spares = [](const ToleranceEffect& effect) { return effect.spares_detail; };
   const auto end_of_sparing = std::partition_point(all.begin(), all.end(), spares) - all.begin();
   const std::size_t end = std::min(
       all.size(), std::max(kShownTolerances, static_cast<std::size_t>(end_of_sparing) + 1));
   for (std::size_t i = end - std::min(end, kShownTolerances); i < end; ++i) {
-    text += fmt::format("  {:<12}{:>8}{}\n", short_number(all[i].tolerance), all[i].mended,
+    text += fmt::format("  {:<14}{:>7}{}\n", short_number(all[i].tolerance), all[i].mended,
                         all[i].spares_detail ? "" : "  and destroys edges that are no defects");
   }
   if (diagnosis.squared_detail) {
