@@ -220,7 +220,11 @@ void append_radius_advice(std::string& text, const Check& check) {
         short_number(*check.answer.radius), check.crowded_vertices,
         check.comparison.exact_counts.vertices);
   }
-  if (check.right_radii) text += right_radii_text(*check.right_radii, check.answer.short_title);
+  if (!check.right_radii) return;
+  text += right_radii_text(*check.right_radii, check.answer.short_title);
+  if (!check.right_radii->empty() && check.drift.places > 0) {
+    text += "Right but for the file's own drift, which no radius changes.\n";
+  }
 }
 
 }  // namespace
