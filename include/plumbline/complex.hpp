@@ -120,6 +120,7 @@ Counts counts(const Incidences& complex, std::size_t vertex_count);
 std::vector<Rational> cycle_areas(const ExactComplex& complex);
 /// Exact areas, per face, holes subtracted; 0 for the unbounded face.
 std::vector<Rational> face_areas(const ExactComplex& complex);
+Rational face_area(const ExactComplex& complex, FaceId f);
 
 /// The point strictly inside bounded face f that docs/certificate.md names: half-way between the
 /// two successive heights of its vertices that are farthest apart, the middle of the widest piece.

@@ -9,26 +9,12 @@
 #include <utility>
 
 #include "check/hanging_together.hpp"
-#include "geometry/sum.hpp"
 
 namespace plumbline {
 namespace {
 
 bool is_of_line_work(const Finding& finding) {
   return finding.kind == CellKind::Vertex || finding.kind == CellKind::Edge;
-}
-
-double area_of(const ExactComplex& complex, std::size_t face) {
-  std::vector<Rational> twice;
-  const auto add = [&](CycleId cycle) {
-    for (const HalfedgeId h : complex.cycles[cycle]) {
-      const Point p = complex.vertices[complex.origin(h)], q = complex.vertices[complex.target(h)];
-      twice.push_back(p.x * q.y - q.x * p.y);
-    }
-  };
-  add(complex.face_outer[face]);
-  for (const CycleId hole : complex.face_holes[face]) add(hole);
-  return nearest_double(sum_of(std::move(twice)) / 2);
 }
 
 /// **Rounded**.
@@ -75,7 +61,8 @@ std::optional<ChangedFaces> changed_faces(const Comparison& comparison, std::siz
   result.finding = i + 1;
   result.area = finding.area ? nearest_double(*finding.area) : 0;
   for (const std::size_t f : finding.exact_cells) {
-    if (f != kUnbounded) result.areas.push_back(area_of(exact_complex, f));
+    if (f == kUnbounded) continue;
+    result.areas.push_back(nearest_double(face_area(exact_complex, FaceId(f))));
   }
   const bool is_outside = finding.lies_in == std::size_t{kUnbounded};
   switch (finding.disagreement) {

@@ -7,7 +7,6 @@
 
 #include "compare/courses.hpp"
 #include "compare/locate_faces.hpp"
-#include "geometry/sum.hpp"
 #include "geometry/union_find.hpp"
 #include "plumbline/error.hpp"
 
@@ -15,6 +14,17 @@ namespace plumbline::compare_steps {
 namespace {
 
 using Faces = Both<std::vector<std::size_t>>;
+
+/// The sum of the terms, added in pairs: fractions without common denominators, added one after the
+/// other, would make a number that is as long as all of them together at every step. Cost: that of
+/// some multiplications of the final length.
+Rational sum_of(std::vector<Rational> terms) {
+  if (terms.empty()) return 0;
+  for (std::size_t step = 1; step < terms.size(); step *= 2) {
+    for (std::size_t i = 0; i + step < terms.size(); i += 2 * step) terms[i] += terms[i + step];
+  }
+  return terms.front();
+}
 
 Rational cross(const Point& p, const Point& q) { return p.x * q.y - q.x * p.y; }
 

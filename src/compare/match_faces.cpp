@@ -128,20 +128,6 @@ Places places_of(const Sides& sides, const OpenFaces& open, bool float_is_valid)
   return places;
 }
 
-Rational face_area(const ExactComplex& complex, FaceId f) {
-  Rational twice = 0;
-  const auto add = [&](CycleId cycle) {
-    for (const HalfedgeId h : complex.cycles[cycle]) {
-      const Point &p = complex.vertices[complex.origin(h)],
-                  &q = complex.vertices[complex.target(h)];
-      twice += p.x * q.y - q.x * p.y;
-    }
-  };
-  add(complex.face_outer[f]);
-  for (const CycleId hole : complex.face_holes[f]) add(hole);
-  return twice / 2;
-}
-
 /// The area of the symmetric difference; that of a face on its own is by the shoelace formula.
 std::optional<Rational> area_in_dispute(const Sides& sides, const std::optional<Overlaps>& overlaps,
                                         const Group& group) {

@@ -9,7 +9,6 @@
 
 #include "compare/claims.hpp"
 #include "compare/near_vertices.hpp"
-#include "geometry/sum.hpp"
 
 namespace plumbline::compare_steps {
 namespace {
@@ -37,15 +36,6 @@ std::vector<std::vector<EdgeId>> antennas(const ExactComplex& complex) {
     if (complex.is_antenna(EdgeId(e))) result[face].emplace_back(e);
   }
   return result;
-}
-
-Rational area(const ExactComplex& complex, const std::vector<HalfedgeId>& boundary) {
-  std::vector<Rational> twice;
-  for (const HalfedgeId h : boundary) {
-    const Point p = complex.vertices[complex.origin(h)], q = complex.vertices[complex.target(h)];
-    twice.push_back(p.x * q.y - q.x * p.y);
-  }
-  return sum_of(std::move(twice)) / 2;
 }
 
 /// The vertices of a complex nearest to those of another one, within a tolerance.
@@ -128,7 +118,7 @@ class FaceSearch {
     if (finding.message.empty()) {
       ++result.matched_faces;
     } else {
-      finding.area = area(other_, boundary);
+      finding.area = face_area(other_, FaceId(face));
       result.findings.push_back(std::move(finding));
     }
   }

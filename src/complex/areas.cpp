@@ -53,12 +53,16 @@ std::vector<Rational> cycle_areas(const ExactComplex& complex) {
   return areas;
 }
 
+Rational face_area(const ExactComplex& complex, FaceId f) {
+  if (f == kUnbounded) return 0;
+  Rational result = area(complex, complex.face_outer[f]);
+  for (const CycleId hole : complex.face_holes[f]) result += area(complex, hole);
+  return result;
+}
+
 std::vector<Rational> face_areas(const ExactComplex& complex) {
   std::vector<Rational> areas(complex.face_count());
-  for (std::size_t f = 1; f < areas.size(); ++f) {
-    areas[f] = area(complex, complex.face_outer[f]);
-    for (const CycleId hole : complex.face_holes[f]) areas[f] += area(complex, hole);
-  }
+  for (std::size_t f = 1; f < areas.size(); ++f) areas[f] = face_area(complex, FaceId(f));
   return areas;
 }
 
