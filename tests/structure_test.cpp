@@ -324,3 +324,38 @@ TEST_CASE("embedding changes no cells of a mixed structure") {
   CHECK(flat.cells[1].size() == 5);
   CHECK(space.cells == flat.cells);
 }
+
+TEST_CASE("labels are placed as segments are, and lie on the innermost layer") {
+  Model wall = model("0 0, 1 0");
+  wall.labels = {{"Kitchen", plumbline::NumberPoint{parse_decimal("0.5"), Rational(2)}},
+                 {"a name", {}}};
+  Structure structure = structure_of({{"", "", {StructId(1)}},
+                                      {"outer", "layer", {translation(10, 0), StructId(2), wall}},
+                                      {"group", "", {scaling(2, 2), StructId(3)}},
+                                      {"inner", "layer", {wall}}});
+  structure.unit = plumbline::LengthUnit{"mm", Rational(1, 1000)};
+  structure.layers = {{"inner", 0xff0000, true}};
+  const plumbline::SegmentSet set = evaluate(structure);
+  REQUIRE(set.labels.size() == 4);
+  CHECK(set.labels[0].place == point("11 4"));
+  CHECK(set.labels[2].place == point("10.5 2"));
+  CHECK(set.labels[1].text == "a name");
+  CHECK_FALSE(set.labels[1].place.has_value());
+  CHECK(set.sources[set.labels[1].source].layer == "inner");
+  CHECK(set.sources[set.labels[3].source].layer == "outer");
+  CHECK(set.unit == structure.unit);
+  CHECK(set.layers == structure.layers);
+}
+
+TEST_CASE("a row of a table has its own labels") {
+  Model table = model("0 0, 1 0");
+  table.segments.push_back(table.segments[0]);
+  table.source.layer = "parcels";
+  table.rows = {{1, 1, 1, 0}, {2, 1, 1, 0}};
+  table.labels = {{"first", {}, 0}, {"second", {}, 1}, {"again", {}, 1}};
+  const plumbline::SegmentSet set = evaluate(structure_of({{"", "", {table}}}));
+  REQUIRE(set.labels.size() == 3);
+  CHECK(set.sources[set.labels[0].source].line == 1);
+  CHECK(set.sources[set.labels[2].source].line == 2);
+  CHECK(set.sources[set.labels[2].source].layer == "parcels");
+}

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -143,9 +144,19 @@ inline constexpr int kMaxCoordinateBits = 332;
 bool is_within_limit(const Point& p);
 bool is_within_limit(const Number& coordinate);
 
+/// A text of a drawing: at a place, or without one the name of an element, which names what the
+/// closed shapes of its source enclose.
+struct Label {
+  SourceId source;
+  std::string text;
+  std::optional<Point> place;
+
+  friend bool operator==(const Label&, const Label&) = default;
+};
+
 /// Exact segments (and isolated points), each with its source; what was refused, and what is to be
-/// said of the rest; and the exactness
-/// ledger, empty when every coordinate is exactly what the file says.
+/// said of the rest; and the exactness ledger, empty when every coordinate is exactly what the file
+/// says.
 class SegmentSet {
  public:
   std::vector<std::string> files;
@@ -159,11 +170,14 @@ class SegmentSet {
   std::vector<Ring> rings;
   std::vector<Point> points;           ///< isolated points, for API users; no reader makes them
   std::vector<SourceId> point_source;  ///< per point
+  std::vector<Label> labels;
+  std::vector<Layer> layers;  ///< that the files declare, in their order
   std::vector<Rejected> rejected;
   std::vector<Remark> remarks;
   std::vector<Replacement> ledger;
-  std::string crs;    ///< name of the coordinates' reference system, where the files have one
-  bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG
+  std::string crs;  ///< name of the coordinates' reference system, where the files have one
+  std::optional<LengthUnit> unit;  ///< where the files say it
+  bool y_up = false;               ///< whether y runs upwards, in pictures; it does not in SVG
 
   /// Adds a file name, returns its index.
   std::uint32_t add_file(std::string name);

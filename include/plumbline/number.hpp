@@ -111,4 +111,12 @@ std::string exact_text(const Rational& value);
 /// a decimal; throws Error BadInput.
 std::string decimal_text(const Rational& value);
 
+/// A unit of length.
+struct LengthUnit {
+  std::string name;  ///< "mm", "m", "in", ...
+  Rational metres;   ///< exactly
+
+  friend bool operator==(const LengthUnit&, const LengthUnit&) = default;
+};
+
 }  // namespace plumbline

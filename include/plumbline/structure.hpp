@@ -55,9 +55,11 @@ struct Structure {
   std::vector<Rejected> rejected;
   std::vector<Remark> remarks;
   std::vector<Replacement> ledger;
+  std::vector<Layer> layers;         ///< that the files declare, in their order
   double angle_bound = kAngleBound;  ///< of what stands for rotations (`rotation`)
-  std::string crs;    ///< name of the coordinates' reference system, where the files have one
-  bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG
+  std::string crs;  ///< name of the coordinates' reference system, where the files have one
+  std::optional<LengthUnit> unit;  ///< of the root's coordinates, where the files say it
+  bool y_up = false;               ///< whether y runs upwards, in pictures; it does not in SVG
 
   friend bool operator==(const Structure&, const Structure&) = default;
 };
@@ -100,6 +102,8 @@ class Traversal {
   /// The names of the Structs above the current model, outermost first, joined by '/'; the root's
   /// and empty ones left out; a path of more than kMaxPathText characters ends in "/...".
   const std::string& path() const;
+  /// The name of the innermost Struct of category "layer" above the current model; "" without one.
+  const std::string& layer() const;
   /// The rotations that were replaced so far: each sum of angles that is no multiple of 90, with
   /// the first Turn that completed it and how many did.
   std::vector<Replacement> replaced() const;
@@ -127,14 +131,14 @@ struct EvaluateOptions {
 std::vector<Replacement> replaced_rotations(const Structure& structure);
 
 /// The segments of all models of a structure in the plane, in traversal order, each model with a
-/// Source of its own whose path is that of the Traversal. A LarModel gives its `edges`. **Exact**.
-/// Curves (Model::curves) meet what meets them in the drawing: an end that is known within a bound
-/// takes the place of an authored end, of another curve's end or on a line within it; and a curve
-/// gets a vertex where an end lies on it, never beyond the bounds, nor 1e-9 of the extent; and
-/// within 1e-12 of the extent where lines or curves cross or touch it. In the ledger.
-/// Zero-length segments and cells that can't be drawn go to `rejected`. Throws: as Traversal; Error
-/// BadInput for a structure of another dimension than 2; Limit beyond the options, which is told
-/// before the result has grown that far.
+/// Source of its own whose path is that of the Traversal, and the layer where it has none. A
+/// LarModel gives its `edges`. **Exact**. Curves (Model::curves) meet what meets them in the
+/// drawing: an end that is known within a bound takes the place of an authored end, of another
+/// curve's end or on a line within it; and a curve gets a vertex where an end lies on it, never
+/// beyond the bounds, nor 1e-9 of the extent; and within 1e-12 of the extent where lines or curves
+/// cross or touch it. In the ledger. Zero-length segments and cells that can't be drawn go to
+/// `rejected`. Throws: as Traversal; Error BadInput for a structure of another dimension than 2;
+/// Limit beyond the options, which is told before the result has grown that far.
 SegmentSet evaluate(const Structure& structure, const EvaluateOptions& options = {});
 
 /// The segments of `rounded(structure)`: what a reader has that parses numbers as doubles and then

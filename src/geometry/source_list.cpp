@@ -36,10 +36,11 @@ std::uint32_t SourceList::kind_of(const Source& source) {
   const auto last = kinds_.rbegin();
   const auto compared = last + static_cast<std::ptrdiff_t>(std::min(kinds_.size(), kComparedKinds));
   const auto known = std::find_if(last, compared, [&source](const Source& kind) {
-    return kind.file == source.file && kind.element == source.element && kind.path == source.path;
+    return kind.file == source.file && kind.element == source.element && kind.path == source.path &&
+           kind.layer == source.layer;
   });
   if (known == compared) {
-    kinds_.push_back({source.file, 0, 0, source.element, {}, source.path});
+    kinds_.push_back({source.file, 0, 0, source.element, {}, source.path, source.layer});
     return static_cast<std::uint32_t>(kinds_.size() - 1);
   }
   return static_cast<std::uint32_t>(kinds_.rend() - known - 1);

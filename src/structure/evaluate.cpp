@@ -31,6 +31,8 @@ class Evaluation {
     result_.remarks = structure.remarks;
     result_.ledger = structure.ledger;
     result_.crs = structure.crs;
+    result_.unit = structure.unit;
+    result_.layers = structure.layers;
     result_.y_up = structure.y_up;
     reserve();
   }
@@ -82,33 +84,55 @@ class Evaluation {
     result_.segment_source.reserve(segments);
   }
 
-  SourceId add_source(Source source) {
-    budget_.spend(1);
+  /// The source with the names that stand above it.
+  Source placed(Source source) const {
     source.path = traversal_.path();
+    if (source.layer.empty()) source.layer = traversal_.layer();
+    return source;
+  }
+  SourceId add_source(const Source& source) {
+    budget_.spend(1);
     return result_.add_source(source);
   }
 
   void add(const Model& model, const PlaneMap& map) {
-    Source source = model.source;
+    Source source = placed(model.source);
     if (model.rows.empty()) {
+      const SourceId id = add_source(source);
       const std::size_t first = result_.segments.size();
-      add(model.segments, 0, model.segments.size(), add_source(source), map);
+      add(model.segments, 0, model.segments.size(), id, map);
+      for (const Model::Text& label : model.labels) add_label(label, id, map);
       const bool is_whole = result_.segments.size() == first + model.segments.size();
       add_rings(model);
       if (is_whole) add_curves(model, first);
       return;
     }
-    source.path = traversal_.path();
     std::size_t begin = 0;
+    auto label = model.labels.begin();
     for (const Model::Row& row : model.rows) {
       source.line = row.line;
       source.column = row.column;
       source.id = row.id == 0 ? model.source.id : model.row_ids[row.id - 1];
-      budget_.spend(1);
-      add(model.segments, begin, row.segment_count, result_.add_source(source), map);
+      const SourceId id = add_source(source);
+      add(model.segments, begin, row.segment_count, id, map);
       begin += row.segment_count;
+      const auto number = static_cast<std::size_t>(&row - model.rows.data());
+      for (; label != model.labels.end() && label->row == number; ++label) {
+        add_label(*label, id, map);
+      }
     }
     add_rings(model);
+  }
+
+  void add_label(const Model::Text& label, SourceId source, const PlaneMap& map) {
+    constexpr std::size_t kWordsOfLabel = 20;
+    budget_.spend(kWordsOfLabel + label.text.size() / 8);
+    Label placed{source, label.text, {}};
+    if (label.place) {
+      const NumberPoint place = map(*label.place);
+      placed.place = Point{place.x.rational(), place.y.rational()};
+    }
+    result_.labels.push_back(std::move(placed));
   }
 
   void add(const SegmentList& segments, std::size_t begin, std::size_t count, SourceId source,
@@ -186,7 +210,7 @@ class Evaluation {
   }
 
   void add(const LarModel& model, const PlaneMap& map) {
-    const SourceId id = add_source(model.source);
+    const SourceId id = add_source(placed(model.source));
     const ModelEdges& known = edges_of(model);
     segments_.spend(known.edges.size());
     budget_.spend(model.vertex_count());
@@ -210,8 +234,7 @@ class Evaluation {
     const auto [place, is_new] = edges_.try_emplace(&model);
     if (!is_new) return place->second;
     place->second = edges(model);
-    Source source = model.source;
-    source.path = traversal_.path();
+    const Source source = placed(model.source);
     for (const auto& [cell, reason] : place->second.refused) {
       result_.rejected.push_back({source, reason, "cell " + std::to_string(cell)});
     }

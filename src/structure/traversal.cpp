@@ -51,6 +51,14 @@ class Traversal::Walk {
   StructId holder() const { return frames_.back().id; }
   const Affine& map() const { return *map_; }
   const std::string& path() const { return path_.text(); }
+  const std::string& layer() const {
+    static const std::string kNone;
+    const auto of_layer = [&](const Frame& frame) {
+      return structure_.structs[frame.id].category == "layer";
+    };
+    const auto found = std::find_if(frames_.rbegin(), frames_.rend(), of_layer);
+    return found == frames_.rend() ? kNone : structure_.structs[found->id].name;
+  }
   std::vector<Replacement> replaced() const { return replaced_.ledger(structure_.angle_bound); }
 
  private:
@@ -121,6 +129,7 @@ const Struct::Item& Traversal::model() const { return walk_->model(); }
 StructId Traversal::holder() const { return walk_->holder(); }
 const Affine& Traversal::map() const { return walk_->map(); }
 const std::string& Traversal::path() const { return walk_->path(); }
+const std::string& Traversal::layer() const { return walk_->layer(); }
 std::vector<Replacement> Traversal::replaced() const { return walk_->replaced(); }
 
 std::vector<Replacement> replaced_rotations(const Structure& structure) {

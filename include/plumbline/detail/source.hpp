@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Source {
   std::string element;  ///< its name in the format: "line", "rect", "path", "row", ...
   std::string id;       ///< its id in the file, if it has one
   std::string path;     ///< names of the groups or layers above it, outermost first, joined by '/'
+  std::string layer = {};  ///< the layer that it lies on, where the format has layers
 
   friend bool operator==(const Source&, const Source&) = default;
 };
@@ -49,8 +51,17 @@ class SourceList {
   std::uint32_t kind_of(const Source& source);
 
   std::vector<Row> rows_;
-  std::vector<Source> kinds_;  ///< file, element and path
+  std::vector<Source> kinds_;  ///< file, element, path and layer
   std::vector<std::string> ids_;
+};
+
+/// A layer that a drawing declares.
+struct Layer {
+  std::string name;
+  std::optional<std::uint32_t> rgb;  ///< its colour, 0xRRGGBB
+  bool hidden = false;               ///< off, frozen, not displayed or not printed
+
+  friend bool operator==(const Layer&, const Layer&) = default;
 };
 
 /// An item of the input that takes no part in the result, and why.

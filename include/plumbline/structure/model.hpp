@@ -23,13 +23,23 @@ struct Model {
     friend bool operator==(const Row&, const Row&) = default;
   };
 
-  Source source;  ///< its `path` is filled in by `evaluate`
+  /// A text at a place, or a name of the element (Label); of a table in this row.
+  struct Text {
+    std::string text;
+    std::optional<NumberPoint> place;
+    std::uint32_t row = 0;
+
+    friend bool operator==(const Text&, const Text&) = default;
+  };
+
+  Source source;  ///< its `path` is filled in by `evaluate`, and `layer` where there is none
   SegmentList segments;
   /// Empty, or in the order of the segments what replaces the source's line, column and id.
   std::vector<Row> rows = {};
   std::vector<std::string> row_ids = {};
   std::vector<Curve> curves = {};  ///< which segments are chords; only where there are no rows
   std::vector<Ring> rings = {};    ///< which segments are rings, ascending
+  std::vector<Text> labels = {};   ///< in the order of rows
 
   friend bool operator==(const Model&, const Model&) = default;
 };
