@@ -5,7 +5,6 @@
 #include <limits>
 #include <random>
 
-#include "compare/locate_faces.hpp"
 #include "plumbline/arrange.hpp"
 #include "plumbline/error.hpp"
 #include "support/segments.hpp"
@@ -365,7 +364,7 @@ TEST_CASE("many points are located as one by one") {
     }
   }
   CHECK(points.size() > 1000);
-  CHECK(compare_steps::locate_all(plan, points) == expected);
+  CHECK(plumbline::locate_all(plan, points) == expected);
 }
 
 TEST_CASE("of vertices that are one in doubles, the exactly nearest one is what a vertex repeats") {

@@ -131,6 +131,10 @@ Point interior_point(const ExactComplex& complex, FaceId f);
 /// boundary.
 /// **Exact**. Cost: O(E).
 FaceId locate(const ExactComplex& complex, const Point& p);
+/// The faces that contain the points, as `locate` tells one by one. **Exact**. Degenerate: the
+/// complex need not be valid; then the face is that on the near side of the first edge to the
+/// right. Cost: O(E log E), and for each point the edges that a horizontal line through it meets.
+std::vector<FaceId> locate_all(const ExactComplex& complex, const std::vector<Point>& points);
 
 /// The least distance between two distinct vertices, and between a vertex and an edge that it does
 /// not bound. Squared, **exact**. Requires: a valid complex with at least one edge.

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "compare/courses.hpp"
-#include "compare/locate_faces.hpp"
 #include "geometry/union_find.hpp"
 #include "plumbline/error.hpp"
 

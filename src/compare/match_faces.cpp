@@ -7,7 +7,6 @@
 #include <iterator>
 #include <map>
 
-#include "compare/locate_faces.hpp"
 #include "compare/overlay.hpp"
 #include "compare/steps.hpp"
 #include "plumbline/error.hpp"

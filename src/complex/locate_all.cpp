@@ -2,13 +2,13 @@
 // at the edges that the line meets. A point stands for one infinitesimally above it, so that no ray
 // runs through a vertex.
 
-#include "compare/locate_faces.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace plumbline::compare_steps {
+#include "plumbline/complex.hpp"
+
+namespace plumbline {
 namespace {
 
 /// Two signed units in the last place of the largest coordinate, times a dozen operations: bounds
@@ -172,4 +172,4 @@ std::vector<FaceId> locate_all(const ExactComplex& complex, const std::vector<Po
   return result;
 }
 
-}  // namespace plumbline::compare_steps
+}  // namespace plumbline
