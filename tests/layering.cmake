@@ -24,6 +24,7 @@ room(structure error detail number geometry)
 room(read error number geometry structure)
 room(complex error detail number geometry)
 room(polygons error complex)
+room(rooms error geometry complex polygons)
 room(chains error structure complex)
 room(triangulate cgal error chains)
 room(arrange cgal error number geometry complex)
@@ -45,7 +46,7 @@ room(output error number geometry structure complex round features diagnose chec
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error read chains arrange round check engines/lar/stages engines/inters/stages engines/files)
-room(plumbline error number geometry structure read complex polygons arrange round features compare ladder rings diagnose engine check
+room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings diagnose engine check
      engines/lar/stages engines/inters/stages engines/files output engines/lar/show engines/inters/show
      pipeline)
 room(cli error detail read arrange round engine engines/files output engines/lar/show pipeline plumbline)

@@ -24,5 +24,6 @@
 #include "plumbline/polygons.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/rings.hpp"
+#include "plumbline/rooms.hpp"
 #include "plumbline/round.hpp"
 #include "plumbline/structure.hpp"
