@@ -142,6 +142,34 @@ TEST_CASE("a file is read by its ending, in either case") {
   CHECK(error.code() == plumbline::ErrorCode::BadInput);
   CHECK(error.message().starts_with("unknown file name ending; known are .svg .svgz .dxf .lines "));
   CHECK(error.offending_text() == ".dwg");
+  plumbline::ReadOptions options;
+  options.format = "lines";
+  CHECK(segments_of(evaluate(read(scratch.file("a.dwg", "0,0,1,1"), options))) == "0 0, 1 1\n");
+  options.format = "dwg";
+  CHECK_THROWS_AS(read(scratch.file("a.lines", "0,0,1,1"), options), plumbline::Error);
+}
+
+TEST_CASE("a file without ending is read by its first bytes") {
+  const Scratch scratch;
+  const std::string row = "0 0, 1 1\n";
+  for (const std::string content :
+       {"\n<?xml version='1.0'?><svg><line x2='1' y2='1'/></svg>",
+        "\xEF\xBB\xBF<svg><line x2='1' y2='1'/></svg>", "0,0,1,1\n", "x1,y1,x2,y2\n0,0,1,1\n",
+        "name;wkt\na;LINESTRING (0 0, 1 1)\n", "# a comment\nSRID=3;LineString(0 0, 1 1)",
+        "[[[0,0],[1,1]]]", R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})",
+        "  0\nSECTION\n  2\nENTITIES\n  0\nLINE\n 10\n0\n 20\n0\n 11\n1\n 21\n1\n  0\nENDSEC\n  "
+        "0\nEOF\n",
+        "0102000000020000000000000000000000000000000000000000000000000"
+        "0F03F000000000000F03F\n"}) {
+    CAPTURE(content);
+    CHECK(segments_of(evaluate(read(scratch.file("drawing", content)))) == row);
+  }
+  CHECK(segments_of(evaluate(
+            read(scratch.file("drawing", gzipped("<svg><line x2='1' y2='1'/></svg>"))))) == row);
+  for (const std::string content : {"", "text\n", "1,2,3\n", "POINTS\n", "0x\n"}) {
+    CAPTURE(content);
+    CHECK(error_of(scratch.file("drawing", content)).message().ends_with("tell no format"));
+  }
 }
 
 TEST_CASE("formats are read up to the number of segments that is allowed, and no further") {

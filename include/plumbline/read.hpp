@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -14,8 +15,14 @@ inline constexpr std::uintmax_t kMaxFileSize = std::uintmax_t{1} << 30U;
 /// The same for formats that are read piece by piece: all but `.svg`, `.svgz`, `.dxf` and `.lines`.
 inline constexpr std::uintmax_t kMaxStreamedFileSize = std::uintmax_t{1} << 36U;
 
+/// The formats that `read` takes, by name; each is that of files that end so.
+inline constexpr std::array<std::string_view, 9> kFormats{"svg",  "svgz", "dxf", "lines", "geojson",
+                                                          "json", "wkt",  "wkb", "csv"};
+
 /// How a drawing is read where the file leaves a choice.
 struct ReadOptions {
+  /// One of kFormats; "": what the file's ending says, of a file without one its first bytes.
+  std::string format;
   /// Largest distance of a curve from the chords that replace it, in the units of the curve's own
   /// coordinates; 0 stands for a thousandth of the longer side of the curve's bounding box.
   Rational chord_tolerance = 0;
@@ -36,9 +43,11 @@ struct ReadOptions {
   std::size_t max_segments = kAnyNumber;
 };
 
-/// The drawing in a file, every number exact. The format is told by the file name's ending, in
-/// either case: `.svg`, `.svgz`, `.dxf`, `.lines`, `.geojson`, `.wkt`, `.wkb`, `.csv`; a `.json` is
-/// GeoJSON or a LAR model, as its members tell. What the reader does not understand is listed in
+/// The drawing in a file, every number exact. The format is told by ReadOptions::format or by the
+/// file name's ending, in either case; of a file without ending by its first bytes, where they are
+/// certain. A `.json` is GeoJSON or a LAR model, as its members tell. A pipe is
+/// read to its end, within kMaxFileSize; so is `/dev/stdin`, the program's standard input, whatever
+/// that is. What the reader does not understand is listed in
 /// `rejected`, with its place. Throws: Error BadFile, BadInput (malformed file, unknown ending),
 /// Limit (beyond kMaxFileSize; numbers or entities that grow beyond all measure).
 Structure read(const std::filesystem::path& file, const ReadOptions& options = {});

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/complex_file.hpp"
 #include "cli/load.hpp"
 #include "cli/losses.hpp"
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
-#include "cli/safe_output.hpp"
+#include "cli/report.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
 
@@ -26,73 +27,66 @@ std::string reading_options(const ReadOptions& reading) {
   return options;
 }
 
-void write_certificate(const ArrangeArguments& arguments, const Drawing& drawing) {
+void write_certificate(const ArrangeArguments& arguments, const Drawing& drawing, Report& report) {
   write_file(*arguments.certificate, certificate(drawing.complex, drawing.input));
-  print_written(*arguments.certificate);
+  report.say_written(*arguments.certificate);
   // What was rejected, the checker may not be able to read.
-  const bool is_plain = ending(arguments.file) == ".lines" && drawing.input.rejected.empty();
+  const bool is_plain = arguments.file.ends_with(".lines") && drawing.input.rejected.empty();
   const std::string file = line_text(arguments.file);
   const std::string of = line_text(*arguments.certificate);
   const std::string lines = is_plain ? file : of + ".lines";
-  fmt::print("to check it: {}plumbline-verify {} {}\n",
-             is_plain ? ""
-                      : fmt::format("plumbline eval {}{} -o {} && ", file,
-                                    reading_options(arguments.reading) +
-                                        (arguments.lenient ? " --lenient" : ""),
-                                    lines),
-             lines, of);
+  report.print("to check it: {}plumbline-verify {} {}\n",
+               is_plain ? ""
+                        : fmt::format("plumbline eval {}{} -o {} && ", file,
+                                      reading_options(arguments.reading) +
+                                          (arguments.lenient ? " --lenient" : ""),
+                                      lines),
+               lines, of);
 }
 
-std::string output_of(const ArrangeArguments& arguments, const Drawing& drawing) {
-  if (arguments.compact) return to_compact_json(drawing.complex, drawing.input);
-  if (ending(*arguments.output) == ".json") return to_json(drawing.complex, drawing.input);
-  return to_svg(drawing.complex, drawing.input.y_up);
+/// The file to write: compact files are JSON.
+Output output_of(const ArrangeArguments& arguments) {
+  if (arguments.compact) return {arguments.output, {"json"}, arguments.format};
+  return {arguments.output, complex_formats(), arguments.format};
 }
 
-/// The endings that an output may have, of which each option allows some.
-std::vector<std::string> endings_of(const ArrangeArguments& arguments) {
-  if (arguments.compact) return {".json"};
-  std::vector<std::string> endings{".json", ".svg", ".geojson", ".wkt", ".csv", ".wkb"};
-  if (arguments.safe) endings.emplace_back(".lines");
-  return endings;
-}
-
-/// Whether what is written is rounded and proven. Throws: Error BadInput for options that do not go
-/// together.
-bool is_written_safely(const ArrangeArguments& arguments) {
-  const std::string kind = arguments.output ? ending(*arguments.output) : "";
-  const bool is_safe = arguments.safe || is_of_features(kind);
-  if (arguments.grid.decimals && !is_safe) {
-    throw Error(ErrorCode::BadInput,
-                "--decimals needs --safe, or a .geojson, .wkt, .csv or .wkb file", {}, kind);
+/// Throws: Error BadInput for options that do not go together.
+void check_options(const ArrangeArguments& arguments, std::string_view format) {
+  if (arguments.grid.decimals && !arguments.safe && !is_always_rounded(format)) {
+    throw Error(ErrorCode::BadInput, "of this format --decimals needs --safe", {},
+                std::string(format));
   }
-  if (kind == ".csv" && arguments.cells.size() > 1) {
+  if (format == "csv" && arguments.cells.size() > 1) {
     throw Error(ErrorCode::BadInput, "a .csv file holds cells of one kind: choose one by --cells");
   }
-  return is_safe;
 }
 
 }  // namespace
 
-ExitCode run(const ArrangeArguments& arguments) {
-  check_outputs(arguments.file, {{arguments.output, endings_of(arguments)},
-                                 {arguments.certificate, {".certificate"}}});
-  const bool is_safe = is_written_safely(arguments);
+ExitCode run(const ArrangeArguments& arguments, Report& report) {
+  const Output output = output_of(arguments);
+  if (check_outputs(arguments.file, {output, {arguments.certificate, {"certificate"}}})) {
+    report.leave_standard_output();
+  }
+  if (output.file) check_options(arguments, format_of(output));
   const Drawing drawing = load(arguments);
   ensure_all_drawn(arguments, drawing.input);
-  fmt::print("{}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
-  fmt::print("{}\n{}", input_line(drawing.input), rejected_lines(drawing.input));
-  fmt::print("{}\nsignature {}\n", exactness_line(drawing.input), signature(drawing.complex));
-  if (is_safe) {
-    const SafeOutput output = safe_output(arguments, drawing);
-    write_file(*arguments.output, output.content);
-    fmt::print("{}\n", output.line);
-    print_written(*arguments.output);
-  } else if (arguments.output) {
-    write_file(*arguments.output, output_of(arguments, drawing));
-    print_written(*arguments.output);
+  const Counts counted = counts(drawing.complex, drawing.complex.vertices.size());
+  const std::string signed_as = signature(drawing.complex);
+  report.set_headline(counts_line(counted));
+  set_input(report, drawing.input);
+  set_counts(report, counted);
+  report.set("signature", signed_as);
+  report.print("{}\n", counts_line(counted));
+  report.print("{}\n{}", input_line(drawing.input), rejected_lines(drawing.input));
+  report.print("{}\nsignature {}\n", exactness_line(drawing.input), signed_as);
+  if (output.file) {
+    const ComplexFile file = complex_file(format_of(output), arguments, drawing);
+    write_file(*output.file, file.content);
+    if (!file.line.empty()) report.print("{}\n", file.line);
+    report.say_written(*output.file);
   }
-  if (arguments.certificate) write_certificate(arguments, drawing);
+  if (arguments.certificate) write_certificate(arguments, drawing, report);
   return kAgree;
 }
 

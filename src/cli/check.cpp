@@ -9,6 +9,7 @@
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
+#include "cli/report.hpp"
 #include "plumbline/engines/files.hpp"
 
 namespace plumbline::cli {
@@ -82,14 +83,15 @@ Check compare(const CheckArguments& arguments, const std::vector<Engine>& engine
   Drawing drawing = load(arguments);
   ensure_all_drawn(arguments, arguments.file, drawing.input.rejected,
                    drawing.input.segments.empty());
-  std::optional<Progress> shown("running the engine " + arguments.engine);
+  std::optional<Progress> shown;
+  shown.emplace("running the engine " + arguments.engine, arguments);
   if (!answer) answer = answer_for(arguments, engine, drawing);
   return checked(std::move(drawing), std::move(*answer), arguments.tolerance, arguments.threads,
-                 [&](const std::string& part) { shown.emplace(part); });
+                 [&](const std::string& part) { shown.emplace(part, arguments); });
 }
 
 Check advised_as_asked(Check result, const CheckArguments& arguments) {
-  Progress progress("looking for critical and right radii");
+  Progress progress("looking for critical and right radii", arguments);
   AdviceOptions options;
   options.threads = arguments.threads;
   options.progress = [&](double part) {
@@ -100,21 +102,40 @@ Check advised_as_asked(Check result, const CheckArguments& arguments) {
                      options);
 }
 
+void summarise(const Check& result, Report& report) {
+  const Counts& exact = result.comparison.exact_counts;
+  report.set("agree", result.agree());
+  report.set("findings", result.comparison.findings.size());
+  report.set("groups", result.groups.size());
+  report.set("own_findings", result.own_findings());
+  report.set("engine", result.answer.engine);
+  if (result.answer.radius) report.set("radius", *result.answer.radius);
+  set_input(report, result.input);
+  set_counts(report, exact);
+}
+
 }  // namespace
 
-ExitCode run(const CheckArguments& arguments, const std::vector<Engine>& engines) {
-  check_outputs(arguments.file, {{arguments.output, {".json"}},
-                                 {arguments.picture, {".svg"}},
-                                 {arguments.report, {".html"}},
-                                 {arguments.plot, {".svg"}},
-                                 {arguments.findings, {".geojson", ".json"}}});
+ExitCode run(const CheckArguments& arguments, Report& report, const std::vector<Engine>& engines) {
+  const bool on_stdout = check_outputs(arguments.file, {{arguments.output, {"json"}},
+                                                        {arguments.picture, {"svg"}},
+                                                        {arguments.report, {"html"}},
+                                                        {arguments.plot, {"svg"}},
+                                                        {arguments.findings, {"geojson", "json"}}});
+  if (on_stdout) report.leave_standard_output();
   const Check result = advised_as_asked(compare(arguments, engines), arguments);
-  if (arguments.output) write_file(*arguments.output, to_json(result));
-  if (arguments.picture) write_file(*arguments.picture, to_svg(result));
-  if (arguments.report) write_file(*arguments.report, to_html(result));
-  if (arguments.findings) write_file(*arguments.findings, to_geojson(result));
-  if (arguments.plot) write_file(*arguments.plot, to_svg(*result.ladder, result.right_radii));
-  fmt::print("{}", to_text(result, arguments.listed));
+  const auto write = [&](const std::optional<std::string>& file, const auto& content) {
+    if (!file) return;
+    write_file(*file, content());
+    report.note_written(*file);
+  };
+  write(arguments.output, [&] { return to_json(result); });
+  write(arguments.picture, [&] { return to_svg(result); });
+  write(arguments.report, [&] { return to_html(result); });
+  write(arguments.findings, [&] { return to_geojson(result); });
+  write(arguments.plot, [&] { return to_svg(*result.ladder, result.right_radii); });
+  report.print("{}", to_text(result, arguments.listed));
+  summarise(result, report);
   const bool is_whole = count_lost(result.input.rejected) == 0 && !result.input.segments.empty();
   return result.agree() && is_whole ? kAgree : kDisagree;
 }

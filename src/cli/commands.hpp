@@ -27,13 +27,24 @@ struct Limits {
   std::optional<double> seconds;
 };
 
-/// What every command reads, and how.
-struct InputArguments {
+/// How a command talks.
+struct Manners {
+  bool json = false;     ///< a summary as JSON in place of text
+  bool quiet = false;    ///< neither
+  bool verbose = false;  ///< also how long the parts take, on standard error
+};
+
+/// What every command has.
+struct CommonArguments : Manners {
+  Limits limits;
+  std::vector<std::string> notes;  ///< to be told first, on standard error
+};
+
+/// What it reads, and how.
+struct InputArguments : CommonArguments {
   std::string file;
   ReadOptions reading;
   bool lenient = false;  ///< go on where not all that looks like geometry could be read
-  Limits limits;
-  std::vector<std::string> notes;  ///< to be told first, on standard error
 };
 
 /// How large it may become.
@@ -51,10 +62,11 @@ struct DrawingArguments : InputArguments {
 
 struct ArrangeArguments : DrawingArguments {
   std::optional<std::string> output;
+  std::optional<std::string> format;  ///< of the output
   std::optional<std::string> certificate;
   bool compact = false;  ///< JSON as short arrays
   bool safe = false;     ///< prove that what is written, rounded, is a valid complex
-  std::vector<std::string> cells = {"faces"};  ///< of a .geojson, .wkt, .csv or .wkb file
+  std::vector<std::string> cells = {"faces"};  ///< of a file of features
   Grid grid;
 };
 
@@ -108,6 +120,7 @@ struct EvalArguments : InputArguments {
   bool boundary = false;
   bool as_structure = false;
   std::optional<std::string> output;
+  std::optional<std::string> format;  ///< of the output
 };
 
 /// Whether the text of a radius is the name of a preset and no number.
@@ -117,21 +130,21 @@ inline bool is_preset(std::string_view radius) {
 
 inline constexpr std::size_t kMostRandomSegments = 10'000'000;
 
-struct RandomArguments {
-  Limits limits;
-  std::vector<std::string> notes;
+struct RandomArguments : CommonArguments {
   std::size_t count = 0;
   double scaling = 0.1;
   std::uint64_t seed = 1;
   std::optional<std::string> output;
 };
 
-/// Each command prints to standard output and returns its exit code. Throws: Error.
-ExitCode run(const ArrangeArguments& arguments);
-ExitCode run(const CheckArguments& arguments, const std::vector<Engine>& engines);
-ExitCode run(const InfoArguments& arguments);
-ExitCode run(const LarArguments& arguments);
-ExitCode run(const EvalArguments& arguments);
-ExitCode run(const RandomArguments& arguments);
+class Report;
+
+/// Each command tells its report what it has to say and returns its exit code. Throws: Error.
+ExitCode run(const ArrangeArguments& arguments, Report& report);
+ExitCode run(const CheckArguments& arguments, Report& report, const std::vector<Engine>& engines);
+ExitCode run(const InfoArguments& arguments, Report& report);
+ExitCode run(const LarArguments& arguments, Report& report);
+ExitCode run(const EvalArguments& arguments, Report& report);
+ExitCode run(const RandomArguments& arguments, Report& report);
 
 }  // namespace plumbline::cli

@@ -135,13 +135,13 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
 }
 
 void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
-  CLI::Option* output =
-      command
-          .add_option("-o,--output", arguments.output,
-                      "Write the complex to a .json or .svg file; its faces as polygons (see "
-                      "--cells) to .geojson, .wkt, .csv or .wkb (hexadecimal), proven to be valid "
-                      "in doubles; with --safe also its edges to a .lines file")
-          ->type_name("FILE");
+  CLI::Option* output = add_output(command, arguments.output, arguments.format,
+                                   "Write the complex to a .json or .svg file; what --cells says, "
+                                   "proven to be valid in doubles, "
+                                   "to " +
+                                       listed_endings(feature_formats()) +
+                                       "; its edges, proven too, to a .lines file",
+                                   complex_formats());
   CLI::Option* compact =
       command
           .add_flag("--compact", arguments.compact,
@@ -157,6 +157,7 @@ void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
       .add_option("--decimals", arguments.grid.decimals,
                   "Of --safe and of files of features: N decimals, not doubles")
       ->check(CLI::Range(0, Grid::kMaxDecimals))
+      ->needs(output)
       ->excludes(compact)
       ->type_name("N");
   command

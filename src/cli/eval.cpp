@@ -8,6 +8,7 @@
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
+#include "cli/report.hpp"
 #include "plumbline/plumbline.hpp"
 
 namespace plumbline::cli {
@@ -25,7 +26,7 @@ std::string point_text(const std::vector<Number>& coordinates) {
   return text;
 }
 
-void print_structure(const Structure& structure) {
+void print_structure(const Structure& structure, Report& report) {
   const auto is_model = [](const Struct::Item& item) {
     return std::holds_alternative<Model>(item) || std::holds_alternative<LarModel>(item);
   };
@@ -33,72 +34,84 @@ void print_structure(const Structure& structure) {
   for (const Struct& s : structure.structs) {
     models += static_cast<std::size_t>(std::count_if(s.body.begin(), s.body.end(), is_model));
   }
-  fmt::print("structs      {}\nmodels       {}\ninstances    {}\n", structure.structs.size(),
-             models, instance_count(structure));
-  fmt::print("dimension    {}\n", dimension(structure));
+  report.set("structs", structure.structs.size());
+  report.set("models", models);
+  report.set("instances", instance_count(structure));
+  report.set("dimension", static_cast<std::int64_t>(dimension(structure)));
+  report.print("structs      {}\nmodels       {}\ninstances    {}\n", structure.structs.size(),
+               models, instance_count(structure));
+  report.print("dimension    {}\n", dimension(structure));
   if (const auto found = box(structure)) {
-    fmt::print("box          {} .. {}\n", point_text(found->low), point_text(found->high));
+    report.print("box          {} .. {}\n", point_text(found->low), point_text(found->high));
   }
 }
 
-void print_model(const LarModel& model) {
-  fmt::print("vertices     {}\n", model.vertex_count());
-  for (const Cells& cells : model.cells) fmt::print("cells        {}\n", cells.size());
+void print_model(const LarModel& model, Report& report) {
+  report.set("vertices", model.vertex_count());
+  std::size_t count = 0;
+  for (const Cells& cells : model.cells) count += cells.size();
+  report.set("cells", count);
+  report.print("vertices     {}\n", model.vertex_count());
+  for (const Cells& cells : model.cells) report.print("cells        {}\n", cells.size());
 }
 
 }  // namespace
 
-ExitCode run(const EvalArguments& arguments) {
-  check_outputs(arguments.file, {{arguments.output, {".json", ".svg", ".lines"}}});
-  if (arguments.as_structure && (!arguments.output || ending(*arguments.output) != ".json")) {
+ExitCode run(const EvalArguments& arguments, Report& report) {
+  const Output output{arguments.output, {"json", "svg", "lines"}, arguments.format};
+  if (check_outputs(arguments.file, {output})) report.leave_standard_output();
+  const std::string_view format = output.file ? format_of(output) : "";
+  if (arguments.as_structure && format != "json") {
     throw Error(ErrorCode::BadInput, "--structure needs -o with a .json file");
   }
   Structure structure;
   {
-    const Progress progress("reading " + arguments.file);
+    const Progress progress("reading " + arguments.file, arguments);
     structure = read(arguments.file, arguments.reading);
   }
   ensure_all_drawn(arguments, arguments.file, structure.rejected,
                    dimension(structure) == 0 && !structure.rejected.empty());
   if (arguments.category) structure = only(structure, *arguments.category);
   if (arguments.embed != 0) structure = embed(structure, arguments.embed);
-  print_structure(structure);
-  SegmentSet report;  // nothing but what was refused and replaced
-  std::swap(report.files, structure.files);
-  std::swap(report.rejected, structure.rejected);
-  std::swap(report.remarks, structure.remarks);
-  report.ledger = structure.ledger;
+  print_structure(structure, report);
+  SegmentSet losses;  // nothing but what was refused and replaced
+  std::swap(losses.files, structure.files);
+  std::swap(losses.rejected, structure.rejected);
+  std::swap(losses.remarks, structure.remarks);
+  losses.ledger = structure.ledger;
   LarModel model = struct_to_lar(
       structure, {arguments.decimals, arguments.merge_cells, arguments.reading.max_segments});
-  for (const Replacement& item : replaced_rotations(structure)) report.ledger.push_back(item);
+  for (const Replacement& item : replaced_rotations(structure)) losses.ledger.push_back(item);
   if (arguments.boundary) {
     model = boundary_of_all(model);
     structure = structure_of(model, structure.y_up);
-    structure.ledger = report.ledger;
+    structure.ledger = losses.ledger;
   }
-  print_model(model);
-  fmt::print("{} rejected\n{}{}\n", report.rejected.size(), rejected_lines(report),
-             exactness_line(report));
+  print_model(model, report);
+  set_losses(report, losses);
+  report.print("{} rejected\n{}{}\n", losses.rejected.size(), rejected_lines(losses),
+               exactness_line(losses));
   if (!arguments.output) return kAgree;
-  if (ending(*arguments.output) == ".svg") {
+  if (format == "svg") {
     const SegmentSet lines = drawn(structure);
     if (!lines.rejected.empty()) {
-      fmt::print("{} not drawn\n{}", lines.rejected.size(), rejected_lines(lines));
+      report.print("{} not drawn\n{}", lines.rejected.size(), rejected_lines(lines));
     }
     write_file(*arguments.output, to_svg(lines));
-  } else if (ending(*arguments.output) == ".lines") {
+  } else if (format == "lines") {
     const SegmentSet lines = evaluate(structure);
-    fmt::print("{}\n{}", input_line(lines), rejected_lines(lines));
+    report.set("segments", lines.segments.size());
+    report.print("{}\n{}", input_line(lines), rejected_lines(lines));
     write_file(*arguments.output, to_lines(lines));
   } else if (arguments.as_structure) {
-    std::swap(report.files, structure.files);
-    std::swap(report.rejected, structure.rejected);
-    std::swap(report.remarks, structure.remarks);
+    std::swap(losses.files, structure.files);
+    std::swap(losses.rejected, structure.rejected);
+    std::swap(losses.remarks, structure.remarks);
     write_file(*arguments.output, to_json(structure));
   } else {
     write_file(*arguments.output, to_json(model));
   }
-  print_written(*arguments.output);
+  report.say_written(*arguments.output);
   return kAgree;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "cli/commands.hpp"
 #include "cli/load.hpp"
@@ -9,6 +10,7 @@
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
+#include "cli/report.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline::cli {
@@ -25,30 +27,38 @@ std::string first_lines(const std::string& list) {
          fmt::format("  ... and {} kinds more (without --diagnose all are told)\n", count - kShown);
 }
 
-void print_repetitions(const Drawing& drawing) {
+void print_repetitions(const Drawing& drawing, Report& report) {
   const Repetitions found = repetitions(drawing.input, drawing.complex);
-  fmt::print("duplicates   {} segments repeat an earlier one\n", found.duplicates);
-  fmt::print("overlaps     {} pairs of different segments share more than a point\n",
-             found.overlaps);
+  report.set("duplicates", found.duplicates);
+  report.set("overlaps", found.overlaps);
+  report.set("shared_sides", found.shared_sides);
+  report.print("duplicates   {} segments repeat an earlier one\n", found.duplicates);
+  report.print("overlaps     {} pairs of different segments share more than a point\n",
+               found.overlaps);
   if (found.shared_sides > 0) {
-    fmt::print(
+    report.print(
         "neighbours   {} common sides of closed shapes are drawn by both, which is no defect\n",
         found.shared_sides);
   }
 }
 
-void print_extent(const ExactComplex& complex) {
+void print_extent(const ExactComplex& complex, Report& report) {
   if (complex.vertices.empty()) return;
   Rational low = complex.vertices.front().y, high = low;
   for (const Point& p : complex.vertices) {
     low = std::min(low, p.y);
     high = std::max(high, p.y);
   }
-  fmt::print("extent       x {} .. {}, y {} .. {}\n", exact_text(complex.vertices.front().x),
-             exact_text(complex.vertices.back().x), exact_text(low), exact_text(high));
+  const auto corner = [](const Rational& x, const Rational& y) {
+    return std::vector<double>{nearest_double(x), nearest_double(y)};
+  };
+  report.set("low", corner(complex.vertices.front().x, low));
+  report.set("high", corner(complex.vertices.back().x, high));
+  report.print("extent       x {} .. {}, y {} .. {}\n", exact_text(complex.vertices.front().x),
+               exact_text(complex.vertices.back().x), exact_text(low), exact_text(high));
 }
 
-void print_features(const ExactComplex& complex) {
+void print_features(const ExactComplex& complex, Report& report) {
   if (complex.edge_count() == 0) return;
   const FeatureSize size = feature_size(complex);
   const auto distance = [](const Rational& squared) {
@@ -59,63 +69,80 @@ void print_features(const ExactComplex& complex) {
     const PointD p = nearest(complex.vertices[v]);
     return fmt::format("({}, {})", shortest_text(p.x), shortest_text(p.y));
   };
-  fmt::print("features     nearest vertices {} apart, {} and {}\n",
-             distance(size.squared_vertex_vertex), at(size.v), at(size.w));
+  report.set("nearest_vertices", nearest_sqrt(size.squared_vertex_vertex));
+  report.print("features     nearest vertices {} apart, {} and {}\n",
+               distance(size.squared_vertex_vertex), at(size.v), at(size.w));
   if (!size.edge.valid()) return;
   const Edge& edge = complex.edges[size.edge];
-  fmt::print("             nearest vertex and edge {} apart, {} and {} - {}\n",
-             distance(size.squared_vertex_edge), at(size.vertex), at(edge.tail), at(edge.head));
+  report.set("nearest_vertex_and_edge", nearest_sqrt(size.squared_vertex_edge));
+  report.print("             nearest vertex and edge {} apart, {} and {} - {}\n",
+               distance(size.squared_vertex_edge), at(size.vertex), at(edge.tail), at(edge.head));
 }
 
-void print_ladder(const ExactComplex& complex, const std::optional<std::string>& plot) {
+void print_ladder(const ExactComplex& complex, const std::optional<std::string>& plot,
+                  Report& report) {
   const ToleranceLadder ladder = tolerance_ladder(complex);
-  fmt::print("{}", to_text(ladder, complex));
-  if (plot) write_file(*plot, to_svg(ladder));
+  report.set("ladder_steps", ladder.steps.size());
+  report.print("{}", to_text(ladder, complex));
+  if (!plot) return;
+  write_file(*plot, to_svg(ladder));
+  report.note_written(*plot);
 }
 
-void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments) {
+void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments, Report& report) {
   const Diagnosis diagnosis = [&] {
-    const Progress progress("diagnosing");
+    const Progress progress("diagnosing", arguments);
     DiagnoseOptions options;
     options.within = arguments.within;
     options.most_listed = std::max(options.most_listed, arguments.listed);
     options.doors = arguments.doors;
     return diagnose(drawing.input, drawing.complex, options);
   }();
-  if (arguments.output) write_file(*arguments.output, to_json(diagnosis, drawing.input));
-  if (arguments.picture) {
-    write_file(*arguments.picture, to_svg(diagnosis, drawing.input, drawing.complex));
-  }
-  if (arguments.findings) write_file(*arguments.findings, to_geojson(diagnosis, drawing.input));
-  fmt::print("\n{}", to_text(diagnosis, drawing.input, arguments.listed));
+  const auto write = [&](const std::optional<std::string>& file, const auto& content) {
+    if (file) write_file(*file, content());
+    if (file) report.note_written(*file);
+  };
+  write(arguments.output, [&] { return to_json(diagnosis, drawing.input); });
+  write(arguments.picture, [&] { return to_svg(diagnosis, drawing.input, drawing.complex); });
+  write(arguments.findings, [&] { return to_geojson(diagnosis, drawing.input); });
+  report.set("defects", std::reduce(diagnosis.found.begin(), diagnosis.found.end()));
+  report.print("\n{}", to_text(diagnosis, drawing.input, arguments.listed));
   if (arguments.listed == 0 && !diagnosis.defects.empty()) {
-    fmt::print("all of them: --list N, --picture, --findings, -o\n");
+    report.print("all of them: --list N, --picture, --findings, -o\n");
   }
 }
 
 }  // namespace
 
-ExitCode run(const InfoArguments& arguments) {
-  check_outputs(arguments.file, {{arguments.plot, {".svg"}},
-                                 {arguments.output, {".json"}},
-                                 {arguments.picture, {".svg"}},
-                                 {arguments.findings, {".geojson", ".json"}}});
+ExitCode run(const InfoArguments& arguments, Report& report) {
+  const bool on_stdout = check_outputs(arguments.file, {{arguments.plot, {"svg"}},
+                                                        {arguments.output, {"json"}},
+                                                        {arguments.picture, {"svg"}},
+                                                        {arguments.findings, {"geojson", "json"}}});
+  if (on_stdout) report.leave_standard_output();
   const Drawing drawing = load(arguments);
-  fmt::print("drawing      {}: {} elements, {}\n", line_text(arguments.file),
-             drawing.input.sources.size(), input_line(drawing.input));
+  const Counts counted = counts(drawing.complex, drawing.complex.vertices.size());
+  const std::string signed_as = signature(drawing.complex);
+  report.set_headline(counts_line(counted));
+  report.set("elements", drawing.input.sources.size());
+  set_input(report, drawing.input);
+  set_counts(report, counted);
+  report.set("signature", signed_as);
+  report.print("drawing      {}: {} elements, {}\n", line_text(arguments.file),
+               drawing.input.sources.size(), input_line(drawing.input));
   const std::string rejected = rejected_lines(drawing.input);
-  fmt::print("{}", arguments.diagnose ? first_lines(rejected) : rejected);
-  fmt::print("exactness    {}\n", exactness_line(drawing.input));
-  print_extent(drawing.complex);
-  print_repetitions(drawing);
-  fmt::print("arrangement  {}\n", counts_line(drawing.complex, drawing.complex.vertices.size()));
-  print_features(drawing.complex);
+  report.print("{}", arguments.diagnose ? first_lines(rejected) : rejected);
+  report.print("exactness    {}\n", exactness_line(drawing.input));
+  print_extent(drawing.complex, report);
+  print_repetitions(drawing, report);
+  report.print("arrangement  {}\n", counts_line(counted));
+  print_features(drawing.complex, report);
   if (const Drift found = drift(drawing.input, drawing.complex); found.places > 0) {
-    fmt::print("drift        {}\n", to_text(found));
+    report.print("drift        {}\n", to_text(found));
   }
-  fmt::print("signature    {}\n", signature(drawing.complex));
-  if (arguments.ladder || arguments.plot) print_ladder(drawing.complex, arguments.plot);
-  if (arguments.diagnose) print_diagnosis(drawing, arguments);
+  report.print("signature    {}\n", signed_as);
+  if (arguments.ladder || arguments.plot) print_ladder(drawing.complex, arguments.plot, report);
+  if (arguments.diagnose) print_diagnosis(drawing, arguments, report);
   ensure_all_drawn(arguments, drawing.input);
   return kAgree;
 }

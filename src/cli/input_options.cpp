@@ -10,7 +10,8 @@ namespace plumbline::cli {
 namespace {
 
 constexpr const char* kFile =
-    "A drawing: .svg, .svgz, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv";
+    "A drawing: .svg, .svgz, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv; - is standard "
+    "input";
 
 /// A number of bytes: "512M", "4G", "4GiB"; powers of 1024.
 std::uint64_t bytes(const std::string& size) {
@@ -53,7 +54,15 @@ CLI::Validator finite() {
   return {refuse, ""};
 }
 
-void add_limits(CLI::App& command, Limits& limits) {
+void add_common(CLI::App& command, CommonArguments& arguments) {
+  Limits& limits = arguments.limits;
+  CLI::Option* json =
+      command.add_flag("--json", arguments.json, "Say what is found as one JSON object");
+  CLI::Option* quiet =
+      command.add_flag("-q,--quiet", arguments.quiet, "Say nothing but errors")->excludes(json);
+  command
+      .add_flag("-v,--verbose", arguments.verbose, "Say on standard error how long each part takes")
+      ->excludes(quiet);
   command
       .add_option_function<std::string>(
           "--max-memory",
@@ -72,9 +81,22 @@ void add_limits(CLI::App& command, Limits& limits) {
 }
 
 void add_input(CLI::App& command, InputArguments& arguments, const char* file) {
-  command.add_option("FILE", arguments.file, file == nullptr ? kFile : file)
+  command
+      .add_option_function<std::string>(
+          "FILE",
+          [&](const std::string& name) { arguments.file = name == "-" ? "/dev/stdin" : name; },
+          file == nullptr ? kFile : file)
       ->required()
       ->type_name("");
+  command
+      .add_option("--from", arguments.reading.format,
+                  "Format of FILE: " + listed({kFormats.begin(), kFormats.end()}) +
+                      " [default: by the file's ending; without one, as on standard input, by its "
+                      "first bytes]")
+      ->check([](const std::string& name) {
+        return std::ranges::find(kFormats, name) != kFormats.end() ? "" : "unknown format: " + name;
+      })
+      ->type_name("FORMAT");
   command
       .add_option_function<std::string>(
           "--flatten",
@@ -112,7 +134,20 @@ void add_input(CLI::App& command, InputArguments& arguments, const char* file) {
                   "or cells), repetitions of what is stored once counted [default: any number]")
       ->check(integer(0))
       ->type_name("N");
-  add_limits(command, arguments.limits);
+  add_common(command, arguments);
+}
+
+CLI::Option* add_output(CLI::App& command, std::optional<std::string>& output,
+                        std::optional<std::string>& format, const std::string& what,
+                        const std::vector<std::string_view>& formats) {
+  CLI::Option* file = command.add_option("-o,--output", output, what)->type_name("FILE");
+  command
+      .add_option("--format", format,
+                  "Format of -o: " + listed(formats) + " [default: by the file's ending; " +
+                      std::string(formats.front()) + " on standard output, -o -]")
+      ->needs(file)
+      ->type_name("FORMAT");
+  return file;
 }
 
 void add_threads(CLI::App& command, std::size_t& threads) {

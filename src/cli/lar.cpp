@@ -5,6 +5,7 @@
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
+#include "cli/report.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/plumbline.hpp"
 
@@ -38,32 +39,39 @@ std::string radius_text(const LarArguments& arguments, double radius) {
                      is_preset(from) ? " (" + from + ")" : std::string());
 }
 
-void print(const LarArguments& arguments, const inters::Trace& trace) {
-  fmt::print("variant      published: {} decimals, {}\n", trace.options.decimals,
-             radius_text(arguments, trace.options.radius));
-  fmt::print("lines        {}, {}\n", plural(trace.lines.size(), "segment"),
-             plural(trace.intersection_points.size(), "intersection point"));
-  fmt::print("lar          {} vertices, {} edges, {} clusters merged\n", trace.lar.vertices.size(),
-             trace.lar.edges.size(), trace.prune.clusters.size());
+void print(const LarArguments& arguments, const inters::Trace& trace, Report& report) {
+  report.set("variant", "published");
+  report.set("radius", trace.options.radius);
+  report.set("vertices", trace.lar.vertices.size());
+  report.set("edges", trace.lar.edges.size());
+  report.set("clusters", trace.prune.clusters.size());
+  report.print("variant      published: {} decimals, {}\n", trace.options.decimals,
+               radius_text(arguments, trace.options.radius));
+  report.print("lines        {}, {}\n", plural(trace.lines.size(), "segment"),
+               plural(trace.intersection_points.size(), "intersection point"));
+  report.print("lar          {} vertices, {} edges, {} clusters merged\n",
+               trace.lar.vertices.size(), trace.lar.edges.size(), trace.prune.clusters.size());
   std::vector<std::size_t> edges;
   for (const auto& component : trace.components) edges.push_back(component.size());
-  fmt::print("biconnected  {}; {} in no cycle\n", sizes(edges),
-             plural(trace.bridges.size(), "edge"));
+  report.print("biconnected  {}; {} in no cycle\n", sizes(edges),
+               plural(trace.bridges.size(), "edge"));
   if (trace.lar_from_lines) {
     const inters::Model& model = *trace.lar_from_lines;
-    fmt::print("larFromLines {} vertices, {} edges, {} faces{}\n", model.vertices.size(),
-               model.edges.size(), model.faces.size(),
-               trace.largest->aborted ? ", the rest missing: the walk aborted" : "");
+    report.set("faces", model.faces.size());
+    report.print("larFromLines {} vertices, {} edges, {} faces{}\n", model.vertices.size(),
+                 model.edges.size(), model.faces.size(),
+                 trace.largest->aborted ? ", the rest missing: the walk aborted" : "");
   } else {
-    fmt::print("larFromLines none\n");
+    report.set("faces", Summary::Value());
+    report.print("larFromLines none\n");
   }
   for (const inters::Failure& failure : trace.failures) {
-    fmt::print("failed       {}: {} in {}: {}\n", failure.stage, failure.error, failure.function,
-               failure.message);
+    report.print("failed       {}: {} in {}: {}\n", failure.stage, failure.error, failure.function,
+                 failure.message);
   }
 }
 
-void print(const LarArguments& arguments, const lar::Result& result) {
+void print(const LarArguments& arguments, const lar::Result& result, Report& report) {
   const lar::Trace& trace = result.trace;
   const lar::Graph& graph = trace.rounds.back().simplified;
   std::size_t clusters = 0, cuts = 0;
@@ -71,19 +79,26 @@ void print(const LarArguments& arguments, const lar::Result& result) {
     clusters += round.pruning.clusters.size();
     cuts += round.cuts.flat().size();
   }
-  fmt::print("variant      repaired: {}\n", radius_text(arguments, trace.radius));
-  fmt::print("lines        {} distinct segments, {}, {}{}\n", trace.drawing.edges.size(),
-             plural(cuts, "cut"), plural(trace.rounds.size(), "round"),
-             trace.settled ? "" : ", not settled");
-  fmt::print("lar          {} vertices, {} edges, {} clusters merged\n", graph.vertices.size(),
-             graph.edges.size(), clusters);
+  report.set("variant", "repaired");
+  report.set("radius", trace.radius);
+  report.set("rounds", trace.rounds.size());
+  report.set("settled", trace.settled);
+  report.set("clusters", clusters);
+  const Counts counted = counts(result.complex, result.complex.vertices.size());
+  set_counts(report, counted);
+  report.print("variant      repaired: {}\n", radius_text(arguments, trace.radius));
+  report.print("lines        {} distinct segments, {}, {}{}\n", trace.drawing.edges.size(),
+               plural(cuts, "cut"), plural(trace.rounds.size(), "round"),
+               trace.settled ? "" : ", not settled");
+  report.print("lar          {} vertices, {} edges, {} clusters merged\n", graph.vertices.size(),
+               graph.edges.size(), clusters);
   std::vector<std::size_t> edges;
   for (std::size_t c = 0; c < trace.biconnected.size(); ++c) {
     edges.push_back(trace.biconnected[c].size());
   }
-  fmt::print("biconnected  {}; {} in no cycle\n", sizes(edges),
-             plural(trace.bridges.size(), "edge"));
-  fmt::print("complex      {}\n", counts_line(result.complex, result.complex.vertices.size()));
+  report.print("biconnected  {}; {} in no cycle\n", sizes(edges),
+               plural(trace.bridges.size(), "edge"));
+  report.print("complex      {}\n", counts_line(counted));
 }
 
 /// Whether the published pipeline has an answer, which may be that there is no face.
@@ -92,63 +107,68 @@ bool has_result(const inters::Trace& trace) {
 }
 
 template <class Result>
-void write_outputs(const LarArguments& arguments, const SegmentSet& input, const Result& result) {
+void write_outputs(const LarArguments& arguments, const SegmentSet& input, const Result& result,
+                   Report& report) {
   if (arguments.trace) write_file(*arguments.trace, to_json(result));
   LarPicture picture = arguments.picture;
   picture.y_up = arguments.unit_square != input.y_up;  // the map to the unit square turns y
   if (arguments.output) write_file(*arguments.output, to_svg(result, picture));
-  print(arguments, result);
+  print(arguments, result, report);
   for (const auto& file : {arguments.trace, arguments.output}) {
-    if (file) print_written(*file);
+    if (file) report.say_written(*file);
   }
 }
 
-ExitCode run_published(const LarArguments& arguments, const SegmentSet& input) {
+ExitCode run_published(const LarArguments& arguments, const SegmentSet& input, Report& report) {
   inters::Options options;
   options.decimals = arguments.decimals.value_or(inters::kDecimals);
   options.radius = radius_of(arguments, input).value_or(inters::kRadius);
   options.threads = arguments.threads;
   const inters::Trace trace = [&] {
-    const Progress progress("running the published float LAR pipeline");
+    const Progress progress("running the published float LAR pipeline", arguments);
     return inters::run(arguments.unit_square ? inters::lines_on_unit_square(input, options.decimals)
                                              : inters::lines(input),
                        options);
   }();
-  write_outputs(arguments, input, trace);
+  write_outputs(arguments, input, trace, report);
   if (has_result(trace)) return kAgree;
   throw Error(ErrorCode::BadInput, "the published pipeline fails on this drawing",
               {arguments.file, 0, 0}, trace.failures.empty() ? "" : trace.failures.front().message);
 }
 
-ExitCode run_repaired(const LarArguments& arguments, const SegmentSet& input) {
+ExitCode run_repaired(const LarArguments& arguments, const SegmentSet& input, Report& report) {
   if (arguments.decimals) {
     throw Error(ErrorCode::BadInput,
                 "decimals are the published variant's; this one rounds to doubles");
   }
   const lar::Result result = [&] {
-    const Progress progress("running the float LAR pipeline");
+    const Progress progress("running the float LAR pipeline", arguments);
     return lar::arrange(arguments.unit_square ? lar::to_unit_square(input) : input,
                         {radius_of(arguments, input), arguments.threads});
   }();
-  write_outputs(arguments, input, result);
+  write_outputs(arguments, input, result, report);
   return kAgree;
 }
 
 }  // namespace
 
-ExitCode run(const LarArguments& arguments) {
+ExitCode run(const LarArguments& arguments, Report& report) {
   if (!arguments.picture.faces.empty() && arguments.picture.show != LarShow::Boundary) {
     throw Error(ErrorCode::BadInput, "--faces belongs to --show boundary");
   }
-  check_outputs(arguments.file, {{arguments.trace, {".json"}}, {arguments.output, {".svg"}}});
+  if (check_outputs(arguments.file, {{arguments.trace, {"json"}}, {arguments.output, {"svg"}}})) {
+    report.leave_standard_output();
+  }
   const SegmentSet input = [&] {
-    const Progress progress("reading " + arguments.file);
+    const Progress progress("reading " + arguments.file, arguments);
     return evaluate(read(arguments.file, arguments.reading), limits_of(arguments));
   }();
   ensure_all_drawn(arguments, input);
-  fmt::print("drawing      {}: {}\n{}", line_text(arguments.file), input_line(input),
-             rejected_lines(input));
-  return arguments.is_published ? run_published(arguments, input) : run_repaired(arguments, input);
+  set_input(report, input);
+  report.print("drawing      {}: {}\n{}", line_text(arguments.file), input_line(input),
+               rejected_lines(input));
+  return arguments.is_published ? run_published(arguments, input, report)
+                                : run_repaired(arguments, input, report);
 }
 
 }  // namespace plumbline::cli

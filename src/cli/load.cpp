@@ -16,7 +16,7 @@ Drawing load(const DrawingArguments& arguments) {
   options.both_engines = arguments.both_engines;
   options.threads = arguments.threads;
   options.watch = [&](const std::string& what, double part) {
-    if (!shown || what != step) shown.emplace(what);
+    if (!shown || what != step) shown.emplace(what, arguments);
     step = what;
     if (part >= 0) shown->tell(part);
     return true;

@@ -82,7 +82,7 @@ CLI::App* add_command(CLI::App& app, EvalArguments& arguments) {
       "Examples: plumbline eval table.json -o table.svg\n"
       "          plumbline eval plan.svg --structure -o plan.json\n"
       "          plumbline eval plan.svg -o plan.lines\n");
-  add_input(*command, arguments, "A structure (.json), or any drawing");
+  add_input(*command, arguments, "A structure (.json), or any drawing; - is standard input");
   command
       ->add_option("--decimals", arguments.decimals,
                    "Identify vertices that are equal after rounding to N decimals [default: exact]")
@@ -101,12 +101,10 @@ CLI::App* add_command(CLI::App& app, EvalArguments& arguments) {
       ->type_name("NAME");
   command->add_flag("--structure", arguments.as_structure,
                     "Write the hierarchy itself to the .json file, not the LAR model");
-  command
-      ->add_option(
-          "-o,--output", arguments.output,
-          "Write the LAR model to a .json file, its segments to a .lines file or a picture of "
-          "them to an .svg file")
-      ->type_name("FILE");
+  add_output(*command, arguments.output, arguments.format,
+             "Write the LAR model to a .json file, its segments to a .lines file or a picture of "
+             "them to an .svg file",
+             {"json", "svg", "lines"});
   return command;
 }
 
@@ -130,7 +128,7 @@ CLI::App* add_command(CLI::App& app, RandomArguments& arguments) {
       ->add_option("-o,--output", arguments.output,
                    "Write them to a .lines file [default: to standard output]")
       ->type_name("FILE");
-  add_limits(*command, arguments.limits);
+  add_common(*command, arguments);
   return command;
 }
 

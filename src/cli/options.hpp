@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cli/commands.hpp"
+#include "cli/formats.hpp"
 
 namespace plumbline::cli {
 
@@ -20,11 +21,16 @@ CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
 /// What several commands have: the drawing and how it is read, within which limits; `file` is what
 /// the help says of it.
 void add_input(CLI::App& command, InputArguments& arguments, const char* file = nullptr);
+/// -o and --format; `what` says what is written, `formats` in which forms, the first by default.
+CLI::Option* add_output(CLI::App& command, std::optional<std::string>& output,
+                        std::optional<std::string>& format, const std::string& what,
+                        const std::vector<std::string_view>& formats);
 /// The same, and how it is arranged.
 void add_drawing(CLI::App& command, DrawingArguments& arguments);
 /// The old name of --exact-engine, for commands where it means nothing else.
 void add_old_engine(CLI::App& command, DrawingArguments& arguments);
-void add_limits(CLI::App& command, Limits& limits);
+/// --json, --quiet, --verbose and the limits.
+void add_common(CLI::App& command, CommonArguments& arguments);
 /// Lets only integers of 64 bits pass, from the least on. CLI11 takes nothing for 0 and lets
 /// negative ones overflow.
 CLI::Validator integer(std::int64_t least = std::numeric_limits<std::int64_t>::min());

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cstdio>
 #include <filesystem>
 
 #include "cli/watchdog.hpp"
@@ -33,26 +33,48 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string ending(const std::string& file) {
-  std::string text = fs::path(file).extension();
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+bool is_standard_output(const std::string& file) {
+  return file == "-" || file == "/dev/stdout" || file == "/dev/fd/1" || file == "/proc/self/fd/1";
 }
 
-void check_outputs(const std::string& input, const std::vector<Output>& outputs) {
+std::string_view format_of(const Output& output) {
+  const auto& known = output.formats;
+  if (output.format) {
+    const auto found = std::ranges::find(known, *output.format);
+    if (found != known.end()) return *found;
+    throw Error(ErrorCode::BadInput, "the format is " + listed(known), {}, *output.format);
+  }
+  if (const auto format = format_by_ending(*output.file, known)) return *format;
+  std::error_code ignored;  // what is wrong with the name is told when it is written to
+  const fs::file_status status = fs::status(*output.file, ignored);
+  const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
+  if (is_standard_output(*output.file) || is_device) return known.front();
+  throw Error(ErrorCode::BadInput,
+              "an output file of this kind ends in " + listed_endings(known) +
+                  (known.size() > 1 ? ", or --format names what it is" : ""),
+              {}, *output.file);
+}
+
+bool check_outputs(const std::string& input, const std::vector<Output>& outputs) {
   std::vector<std::string> taken{input};
+  bool is_stdout_taken = false;
   for (const Output& output : outputs) {
-    if (!output.file) continue;
-    const auto& endings = output.endings;
-    std::error_code ignored;  // what is wrong with the name is told when it is written to
+    if (!output.file) {
+      if (!output.format) continue;
+      throw Error(ErrorCode::BadInput, "--format is of an output, which -o names", {},
+                  *output.format);
+    }
+    format_of(output);
+    if (is_standard_output(*output.file)) {
+      if (is_stdout_taken) {
+        throw Error(ErrorCode::BadInput, "standard output takes one output", {}, *output.file);
+      }
+      is_stdout_taken = true;
+      continue;
+    }
+    std::error_code ignored;
     const fs::file_status status = fs::status(*output.file, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status)) continue;  // a pipe, a device
-    if (std::find(endings.begin(), endings.end(), ending(*output.file)) == endings.end()) {
-      throw Error(ErrorCode::BadInput,
-                  fmt::format("an output file of this kind ends in {}", fmt::join(endings, " or ")),
-                  {}, *output.file);
-    }
     for (const std::string& file : taken) {
       if (!is_same_file(*output.file, file)) continue;
       throw Error(ErrorCode::BadInput, "this output would overwrite the input or another output",
@@ -60,14 +82,17 @@ void check_outputs(const std::string& input, const std::vector<Output>& outputs)
     }
     taken.push_back(*output.file);
   }
+  return is_stdout_taken;
 }
 
 void write_file(const std::string& file, std::string_view content) {
+  if (is_standard_output(file)) {
+    if (std::fwrite(content.data(), 1, content.size(), stdout) == content.size()) return;
+    throw Error(ErrorCode::BadFile, "cannot write to standard output");
+  }
   WatchedFile result(file);
   result.file().write(content);
   result.file().commit();
 }
-
-void print_written(const std::string& file) { fmt::print("wrote {}\n", line_text(file)); }
 
 }  // namespace plumbline::cli

@@ -34,8 +34,7 @@ std::string group_lines(const std::vector<Item>& items, std::string Item::*reaso
 
 }  // namespace
 
-std::string counts_line(const Incidences& complex, std::size_t vertices) {
-  const Counts c = counts(complex, vertices);
+std::string counts_line(const Counts& c) {
   return fmt::format(
       "{} vertices, {} edges ({} antennas), {} faces with {} holes, {} components, depth {}",
       c.vertices, c.edges, c.antennas, c.faces, c.holes, c.components, c.depth);
@@ -60,6 +59,29 @@ std::string exactness_line(const SegmentSet& input) {
   return fmt::format("{} numbers were replaced, the first: {} within {} ({})", input.ledger.size(),
                      line_text(first.what), first.bound,
                      line_text(to_text(first.source, input.files)));
+}
+
+void set_input(Report& report, const SegmentSet& input) {
+  report.set("segments", input.segments.size());
+  report.set("points", input.points.size());
+  set_losses(report, input);
+}
+
+void set_losses(Report& report, const SegmentSet& input) {
+  report.set("rejected", input.rejected.size());
+  report.set("lost", count_lost(input.rejected));
+  report.set("remarks", input.remarks.size());
+  report.set("replaced_numbers", input.ledger.size());
+}
+
+void set_counts(Report& report, const Counts& counts) {
+  report.set("vertices", counts.vertices);
+  report.set("edges", counts.edges);
+  report.set("antennas", counts.antennas);
+  report.set("faces", counts.faces);
+  report.set("holes", counts.holes);
+  report.set("components", counts.components);
+  report.set("depth", counts.depth);
 }
 
 }  // namespace plumbline::cli

@@ -2,12 +2,13 @@
 
 #include <string>
 
+#include "cli/report.hpp"
 #include "plumbline/plumbline.hpp"
 
 namespace plumbline::cli {
 
 /// "12 vertices, 13 edges (0 antennas), ...": one line on the complex.
-std::string counts_line(const Incidences& complex, std::size_t vertices);
+std::string counts_line(const Counts& counts);
 /// "12 segments, 3 rejected, 1 remark".
 std::string input_line(const SegmentSet& input);
 /// What was refused and remarked, grouped by element and reason, with the first lines; "" if
@@ -15,5 +16,10 @@ std::string input_line(const SegmentSet& input);
 std::string rejected_lines(const SegmentSet& input);
 /// Whether every coordinate is what the file says, or what was replaced.
 std::string exactness_line(const SegmentSet& input);
+
+/// The same numbers as members of the summary: of the input all, or just what was lost or changed.
+void set_input(Report& report, const SegmentSet& input);
+void set_losses(Report& report, const SegmentSet& input);
+void set_counts(Report& report, const Counts& counts);
 
 }  // namespace plumbline::cli

@@ -1,22 +1,18 @@
-#include <fmt/format.h>
-
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
+#include "cli/report.hpp"
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 
 namespace plumbline::cli {
 
-ExitCode run(const RandomArguments& arguments) {
-  check_outputs({}, {{arguments.output, {".lines"}}});
-  const std::string rows =
-      to_lines(random_lines(arguments.count, arguments.scaling, arguments.seed));
-  if (!arguments.output) {
-    fmt::print("{}", rows);
-    return kAgree;
-  }
-  write_file(*arguments.output, rows);
-  print_written(*arguments.output);
+ExitCode run(const RandomArguments& arguments, Report& report) {
+  const std::string file = arguments.output.value_or("-");
+  if (check_outputs({}, {{file, {"lines"}}})) report.leave_standard_output();
+  write_file(file, to_lines(random_lines(arguments.count, arguments.scaling, arguments.seed)));
+  report.set("segments", arguments.count);
+  report.set("seed", static_cast<std::int64_t>(arguments.seed));
+  report.say_written(file);
   return kAgree;
 }
 

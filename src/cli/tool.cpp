@@ -10,6 +10,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/memory_limit.hpp"
+#include "cli/report.hpp"
 #include "cli/watchdog.hpp"
 #include "plumbline/error.hpp"
 
@@ -21,19 +22,31 @@ bool is_thread_missing(const std::error_code& code) {
   return is_memory_limited() && code == std::errc::resource_unavailable_try_again;
 }
 
-/// What was printed is written, or that fails.
-void flush_output() {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    throw Error(ErrorCode::BadFile, "cannot write to standard output");
-  }
+template <class Arguments>
+ExitCode run_command(const Arguments& arguments, Report& report,
+                     const std::vector<Engine>& /*engines*/) {
+  return run(arguments, report);
+}
+ExitCode run_command(const CheckArguments& arguments, Report& report,
+                     const std::vector<Engine>& engines) {
+  return run(arguments, report, engines);
 }
 
+/// With --json an error is a member of the summary, too.
 template <class Arguments>
-ExitCode run_command(const Arguments& arguments, const std::vector<Engine>& /*engines*/) {
-  return run(arguments);
-}
-ExitCode run_command(const CheckArguments& arguments, const std::vector<Engine>& engines) {
-  return run(arguments, engines);
+ExitCode run_reported(const Arguments& arguments, const std::vector<Engine>& engines) {
+  Report report(arguments);
+  if constexpr (std::is_base_of_v<InputArguments, Arguments>) report.set("file", arguments.file);
+  try {
+    const ExitCode code = run_command(arguments, report, engines);
+    report.end();
+    return code;
+  } catch (const Error& error) {
+    if (std::ferror(stdout) != 0) throw;
+    report.set("error", error.what());
+    report.end();
+    throw;
+  }
 }
 
 ExitCode parse_and_run(const std::vector<std::string>& arguments,
@@ -47,9 +60,7 @@ ExitCode parse_and_run(const std::vector<std::string>& arguments,
   const auto run_watched = [&](const auto& command) {
     for (const std::string& note : command.notes) fmt::print(stderr, "plumbline: {}\n", note);
     const Watchdog watchdog(command.limits);
-    const ExitCode code = run_command(command, engines);
-    flush_output();
-    return code;
+    return run_reported(command, engines);
   };
   return std::visit(run_watched, std::get<Command>(parsed));
 }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace plumbline::cli {
+
+/// Whether it is a terminal that goes back to the beginning of its line when told.
+bool is_screen(std::FILE* stream);
+/// Whether it may be coloured: such a terminal, and nobody has set NO_COLOR.
+bool has_colour(std::FILE* stream);
+/// Its width; 80 where that is not known.
+std::size_t columns_of(std::FILE* stream);
+
+/// The number of characters of a text of UTF-8, and the text cut to as many.
+std::size_t width_of(std::string_view text);
+std::string cut(std::string_view text, std::size_t width);
+
+}  // namespace plumbline::cli

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# tests/cli_habits_test.sh PLUMBLINE EXAMPLES: what people expect of any command line: pipes, formats, summaries for
+# programs, several files, help for typing errors, completion. One line per case; fails if any case does.
+set -uo pipefail
+plumbline=$1
+examples=$2
+# shellcheck source-path=SCRIPTDIR source=support/expect.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/expect.sh"
+# output_of COMMAND...: what it writes to standard output alone.
+output_of() { "$@" 2>/dev/null; }
+
+# ---- Pipes and formats
+cp "$examples/dwelling.svg" plan.svg
+exact=$("$plumbline" arrange plan.svg | tail -1)
+expect "a drawing is read from a pipe" 0 "$exact" bash -c "cat plan.svg | '$plumbline' arrange -"
+expect "and from a file as standard input" 0 "$exact" bash -c "'$plumbline' arrange - <plan.svg"
+expect "by its name, too" 0 "$exact" bash -c "cat plan.svg | '$plumbline' arrange /dev/stdin"
+expect "from what a shell makes of a command" 0 "$exact" bash -c "'$plumbline' arrange <(cat plan.svg)"
+mkfifo pipe.svg
+cat plan.svg >pipe.svg &
+expect "from a named pipe" 0 "$exact" timeout 60 "$plumbline" arrange pipe.svg
+for form in geojson wkt csv wkb; do
+  expect "what is written to a pipe is read from it ($form)" 0 ' 8 faces' bash -c "'$plumbline' arrange plan.svg -o - --format $form 2>/dev/null | '$plumbline' arrange -"
+done
+expect "what has no certain format asks for it" 2 'tell no format' bash -c "echo text | '$plumbline' info -"
+expect "which --from says" 0 '1 segments' bash -c "echo 0,0,1,1 | '$plumbline' info - --from csv"
+expect "or an ending that lies" 0 "$exact" bash -c "cp plan.svg plan.txt; '$plumbline' arrange plan.txt --from svg"
+expect "of the formats that there are" 2 'unknown format: dwg' "$plumbline" info plan.svg --from dwg
+expect "a closed standard input is no drawing" 2 '^plumbline: /dev/stdin' bash -c "'$plumbline' info - <&-"
+expect "data alone are on standard output" 0 '^\{.*\}$' output_of "$plumbline" arrange plan.svg -o -
+expect "in the format that is asked for" 0 '^POLYGON' output_of "$plumbline" arrange plan.svg -o - --format wkt
+expect "by another name of it" 0 '^\{.*\}$' output_of "$plumbline" arrange plan.svg -o /dev/stdout
+expect "what is said goes to standard error" 0 "$exact" bash -c "'$plumbline' arrange plan.svg -o - 2>&1 >/dev/null"
+expect "so it is of reports" 0 '^\{.*"findings".*\}$' output_of "$plumbline" check plan.svg -o -
+expect "of pictures" 0 '^<svg.*</svg>$' output_of "$plumbline" lar plan.svg -o -
+expect "of structures" 0 '^<svg.*</svg>$' output_of "$plumbline" eval plan.svg -o - --format svg
+expect "of random segments" 0 '^[0-9.,]+$' output_of "$plumbline" random 1
+expect "a format goes before an ending" 0 '^POLYGON' bash -c "'$plumbline' arrange plan.svg -o a.txt --format wkt >/dev/null && cat a.txt"
+expect "an unknown format names the known ones" 2 'json, svg, geojson.*"dwg"' "$plumbline" arrange plan.svg -o - --format dwg
+expect "a format is of an output" 2 'format' "$plumbline" arrange plan.svg --format wkt
+expect "standard output takes one output" 2 'takes one output' "$plumbline" check plan.svg -o - --picture -
+if [[ -e /dev/full ]]; then
+  expect "a full disk behind standard output is told" 2 'cannot write to standard output' bash -c "'$plumbline' arrange plan.svg -o - >/dev/full"
+fi
+expect "a closed standard output is told" 2 'cannot write to standard output' bash -c "'$plumbline' arrange plan.svg -o - >&-"
+expect "who has read enough may go" 0 '^\{' bash -c "'$plumbline' arrange '$examples/office-plan.svg' -o - 2>/dev/null | head -1"
+
+# ---- Summaries
+expect "a summary of what is arranged" 0 '^\{.*"file": "plan.svg".*"segments": 9,.*"rejected": 0,.*"vertices": 33,.*"edges": 39,.*"antennas": 18,.*"faces": 8,.*"components": 1,.*"signature": "[0-9a-f]{32}".*\}$' output_of "$plumbline" arrange plan.svg --json
+expect "of what a drawing holds" 0 '^\{.*"edges": 39,.*"signature": "[0-9a-f]{32}".*"overlaps": 0.*\}$' output_of "$plumbline" info plan.svg --json
+expect "of a check" 0 '^\{.*"agree": true,.*"findings": 0,.*"groups": 0,.*\}$' output_of "$plumbline" check "$examples/hospital-emergency.svg" --json
+expect "also of one that disagrees" 1 '"agree": false,.*"findings": [1-9]' output_of "$plumbline" check "$examples/office-plan.svg" --json
+for command in lar eval; do
+  expect "of $command" 0 '^\{.*"vertices": [0-9]+,?.*\}$' output_of "$plumbline" $command plan.svg --json
+done
+expect "the files written are in it" 0 '"written": \["p.svg"\]' "$plumbline" arrange plan.svg --json -o p.svg
+expect "where data go to standard output, it goes to standard error" 0 '^\{.*"edges": 39' bash -c "'$plumbline' arrange plan.svg --json -o - 2>&1 >/dev/null"
+expect "an error is in it" 2 '"error": "none.svg: no such file"' output_of "$plumbline" info none.svg --json
+expect "quiet is without a word" 0 '^$' "$plumbline" arrange plan.svg --quiet -o p.svg
+expect "but for errors" 2 'no such file' "$plumbline" arrange none.svg -q
+expect "verbose tells what takes how long" 0 '0\.[0-9]* s +arranging 9 segments' bash -c "'$plumbline' arrange plan.svg -v 2>&1 >/dev/null"
+expect "one cannot be both" 2 'quiet' "$plumbline" arrange plan.svg -q -v
+rm -f a.txt p.svg plan.svg plan.txt pipe.svg
+leaves "nothing else was written"
+finish
