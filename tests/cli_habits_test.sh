@@ -60,6 +60,21 @@ expect "quiet is without a word" 0 '^$' "$plumbline" arrange plan.svg --quiet -o
 expect "but for errors" 2 'no such file' "$plumbline" arrange none.svg -q
 expect "verbose tells what takes how long" 0 '0\.[0-9]* s +arranging 9 segments' bash -c "'$plumbline' arrange plan.svg -v 2>&1 >/dev/null"
 expect "one cannot be both" 2 'quiet' "$plumbline" arrange plan.svg -q -v
+
+# ---- Several drawings
+cp "$examples/office-plan.svg" office.svg
+cp "$examples/hospital-emergency.svg" good.svg
+expect "several drawings are a line each, and a count" 0 'good.svg: [0-9]+ vertices.*plan.svg: 33 vertices, 39 edges.*2 drawings: 2 done' "$plumbline" info good.svg plan.svg
+expect "in the order given" 1 'office.svg: disagree: 63 findings.*good.svg: agree.*2 drawings: 1 agree, 1 disagree' "$plumbline" check office.svg good.svg
+expect "the worst exit code counts, and one that is not there stops nothing" 2 'none.svg: no such file.*office.svg: disagree.*good.svg: agree.*3 drawings: 1 agree, 1 disagree, 1 refused' "$plumbline" check none.svg office.svg good.svg
+expect "options may stand between" 0 '2 drawings: 2 done' "$plumbline" arrange good.svg --threads 1 plan.svg
+expect "an output is of one" 2 'output is of one drawing; here are 2: "a.json"' "$plumbline" check good.svg plan.svg -o a.json
+expect "so is a picture" 2 'picture is of one drawing' "$plumbline" check good.svg plan.svg --picture a.svg
+expect "and a result" 2 'against is of one drawing' "$plumbline" check good.svg plan.svg --against a.json
+expect "the summary of several is one object" 1 '^\{.*"files": \[.*"file": "office.svg".*"agree": false,.*"exit_code": 1.*"file": "good.svg".*"agree": true.*"exit_code": 0.*\],[[:space:]]*"exit_code": 1[[:space:]]*\}$' "$plumbline" check office.svg good.svg --json
+expect "quiet is quiet, too" 1 '^$' "$plumbline" check office.svg good.svg -q
+rm office.svg good.svg
+
 rm -f a.txt p.svg plan.svg plan.txt pipe.svg
 leaves "nothing else was written"
 finish

@@ -43,12 +43,29 @@ std::string shown(const std::string& text) {
   return result;
 }
 
+/// Of several drawings there is one line each. Throws: Error BadInput for outputs and the like.
+template <class Arguments>
+void check_several(const CLI::App& command, const Arguments& arguments) {
+  if constexpr (std::is_base_of_v<InputArguments, Arguments>) {
+    if (arguments.files.size() < 2) return;
+    for (const CLI::Option* option : command.get_options()) {
+      if (option->get_type_name() != "FILE" || option->count() == 0) continue;
+      throw Error(ErrorCode::BadInput,
+                  option->get_name() + " is of one drawing; here are " +
+                      std::to_string(arguments.files.size()),
+                  {}, option->as<std::string>());
+    }
+  }
+}
+
 /// The arguments of the command that was called.
 template <class... Arguments>
 Command called(std::pair<CLI::App*, Arguments*>... commands) {
   std::optional<Command> result;
   const auto take = [&](const CLI::App& command, auto& arguments) {
-    if (command.parsed()) result = std::move(arguments);
+    if (!command.parsed()) return;
+    check_several(command, arguments);
+    result = std::move(arguments);
   };
   (take(*commands.first, *commands.second), ...);
   ensure(result.has_value(), "one command is called");

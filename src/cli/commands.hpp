@@ -42,7 +42,8 @@ struct CommonArguments : Manners {
 
 /// What it reads, and how.
 struct InputArguments : CommonArguments {
-  std::string file;
+  std::string file;                ///< the one at hand
+  std::vector<std::string> files;  ///< all of them, where a command takes several
   ReadOptions reading;
   bool lenient = false;  ///< go on where not all that looks like geometry could be read
 };

@@ -51,6 +51,7 @@ void add_engine_options(CLI::App& command, CheckArguments& arguments) {
           "--set", arguments.settings,
           "A parameter of the engine: of lar radius; of inters radius, decimals, result; of "
           "files file")
+      ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
   command
       .add_option_function<std::string>(
@@ -165,6 +166,7 @@ void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
                   "What files of features hold: faces (the default), edges, vertices, or several, "
                   "with commas; of several, each feature of a .geojson file says which it is")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"faces", "edges", "vertices"}).description(""))
       ->needs(output)
       ->type_name("CELLS");

@@ -105,7 +105,9 @@ void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments, Rep
   write(arguments.output, [&] { return to_json(diagnosis, drawing.input); });
   write(arguments.picture, [&] { return to_svg(diagnosis, drawing.input, drawing.complex); });
   write(arguments.findings, [&] { return to_geojson(diagnosis, drawing.input); });
-  report.set("defects", std::reduce(diagnosis.found.begin(), diagnosis.found.end()));
+  const std::size_t defects = std::reduce(diagnosis.found.begin(), diagnosis.found.end());
+  report.set("defects", defects);
+  report.set_headline(fmt::format("{}; {} defects", report.headline(), defects));
   report.print("\n{}", to_text(diagnosis, drawing.input, arguments.listed));
   if (arguments.listed == 0 && !diagnosis.defects.empty()) {
     report.print("all of them: --list N, --picture, --findings, -o\n");

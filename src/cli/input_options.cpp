@@ -13,6 +13,10 @@ constexpr const char* kFile =
     "A drawing: .svg, .svgz, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv; - is standard "
     "input";
 
+std::string file_of(const std::string& argument) {
+  return argument == "-" ? "/dev/stdin" : argument;
+}
+
 /// A number of bytes: "512M", "4G", "4GiB"; powers of 1024.
 std::uint64_t bytes(const std::string& size) {
   std::string number = size;
@@ -83,11 +87,14 @@ void add_common(CLI::App& command, CommonArguments& arguments) {
 void add_input(CLI::App& command, InputArguments& arguments, const char* file) {
   command
       .add_option_function<std::string>(
-          "FILE",
-          [&](const std::string& name) { arguments.file = name == "-" ? "/dev/stdin" : name; },
+          "FILE", [&](const std::string& name) { arguments.file = file_of(name); },
           file == nullptr ? kFile : file)
       ->required()
       ->type_name("");
+  add_reading(command, arguments);
+}
+
+void add_reading(CLI::App& command, InputArguments& arguments) {
   command
       .add_option("--from", arguments.reading.format,
                   "Format of FILE: " + listed({kFormats.begin(), kFormats.end()}) +
@@ -185,7 +192,18 @@ void add_exact_engine(CLI::App& command, DrawingArguments& arguments) {
 }
 
 void add_drawing(CLI::App& command, DrawingArguments& arguments) {
-  add_input(command, arguments);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "FILE",
+          [&](const std::vector<std::string>& names) {
+            for (const std::string& name : names) arguments.files.push_back(file_of(name));
+            arguments.file = arguments.files.front();
+          },
+          std::string(kFile) +
+              ". Of several each is told in a line, and the worst exit code counts")
+      ->required()
+      ->type_name("");
+  add_reading(command, arguments);
   add_exact_engine(command, arguments);
   add_threads(command, arguments.threads);
 }

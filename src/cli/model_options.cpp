@@ -67,6 +67,7 @@ CLI::App* add_command(CLI::App& app, LarArguments& arguments) {
       ->add_option("--faces", arguments.picture.faces,
                    "Of --show boundary: faces by the numbers that it shows [default: all]")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(integer(0))
       ->type_name("F,F,...");
   add_threads(*command, arguments.threads);

@@ -21,11 +21,12 @@ CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
 /// What several commands have: the drawing and how it is read, within which limits; `file` is what
 /// the help says of it.
 void add_input(CLI::App& command, InputArguments& arguments, const char* file = nullptr);
+void add_reading(CLI::App& command, InputArguments& arguments);
 /// -o and --format; `what` says what is written, `formats` in which forms, the first by default.
 CLI::Option* add_output(CLI::App& command, std::optional<std::string>& output,
                         std::optional<std::string>& format, const std::string& what,
                         const std::vector<std::string_view>& formats);
-/// The same, and how it is arranged.
+/// The same for several drawings, and how they are arranged.
 void add_drawing(CLI::App& command, DrawingArguments& arguments);
 /// The old name of --exact-engine, for commands where it means nothing else.
 void add_old_engine(CLI::App& command, DrawingArguments& arguments);

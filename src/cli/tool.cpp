@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -20,6 +22,10 @@ namespace {
 /// Whether a thread cannot be had since memory is limited.
 bool is_thread_missing(const std::error_code& code) {
   return is_memory_limited() && code == std::errc::resource_unavailable_try_again;
+}
+
+ExitCode exit_code_of(const Error& error) {
+  return error.code() == ErrorCode::Internal ? kInternal : kBadInput;
 }
 
 template <class Arguments>
@@ -49,6 +55,61 @@ ExitCode run_reported(const Arguments& arguments, const std::vector<Engine>& eng
   }
 }
 
+/// "disagree", of what several drawings come to.
+std::string outcome(ExitCode code, bool is_check) {
+  if (code == kDisagree) return "disagree";
+  if (code == kAgree) return is_check ? "agree" : "done";
+  return "refused";
+}
+
+/// Several drawings, in a line each. What cannot be read does not stop the rest.
+template <class Arguments>
+ExitCode run_each(const Arguments& arguments, const std::vector<Engine>& engines) {
+  constexpr bool kIsCheck = std::is_same_v<Arguments, CheckArguments>;
+  Report all(arguments);
+  Manners silent = arguments;
+  silent.quiet = true;
+  std::vector<Summary> summaries;
+  std::map<std::string, std::size_t> outcomes;
+  ExitCode worst = kAgree;
+  for (const std::string& file : arguments.files) {
+    Arguments one = arguments;
+    one.file = file;
+    Report report(silent);
+    report.set("file", file);
+    ExitCode code = kAgree;
+    try {
+      code = run_command(one, report, engines);
+      all.print("{}: {}\n", line_text(file), report.headline());
+    } catch (const Error& error) {
+      code = exit_code_of(error);
+      report.set("error", error.what());
+      flush_output();  // in the order of the files, where both are a terminal
+      fmt::print(stderr, "plumbline: {}\n", error.what());
+    }
+    report.set("exit_code", static_cast<int>(code));
+    summaries.push_back(report.summary());
+    ++outcomes[outcome(code, kIsCheck)];
+    worst = std::max(worst, code);
+  }
+  std::string counted;
+  for (const auto& [name, count] : outcomes) counted += fmt::format(", {} {}", count, name);
+  all.print("{} drawings: {}\n", arguments.files.size(), counted.substr(2));
+  all.set("files", summaries);
+  all.set("exit_code", static_cast<int>(worst));
+  all.end();
+  return worst;
+}
+
+/// What the command asks for.
+template <class Arguments>
+ExitCode run_all(const Arguments& arguments, const std::vector<Engine>& engines) {
+  if constexpr (std::is_base_of_v<DrawingArguments, Arguments>) {
+    if (arguments.files.size() > 1) return run_each(arguments, engines);
+  }
+  return run_reported(arguments, engines);
+}
+
 ExitCode parse_and_run(const std::vector<std::string>& arguments,
                        const std::vector<Engine>& engines) {
   const auto parsed = parse(arguments);
@@ -60,7 +121,7 @@ ExitCode parse_and_run(const std::vector<std::string>& arguments,
   const auto run_watched = [&](const auto& command) {
     for (const std::string& note : command.notes) fmt::print(stderr, "plumbline: {}\n", note);
     const Watchdog watchdog(command.limits);
-    return run_reported(command, engines);
+    return run_all(command, engines);
   };
   return std::visit(run_watched, std::get<Command>(parsed));
 }
@@ -72,7 +133,7 @@ int run(int argc, char** argv, const std::vector<Engine>& engines) {
     return parse_and_run({argv + (argc > 0 ? 1 : 0), argv + argc}, engines);
   } catch (const Error& error) {
     fmt::print(stderr, "plumbline: {}\n", error.what());
-    return error.code() == ErrorCode::Internal ? kInternal : kBadInput;
+    return exit_code_of(error);
   } catch (const std::bad_alloc&) {
     end_without_memory();
   } catch (const std::system_error& error) {
