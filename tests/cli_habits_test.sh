@@ -25,7 +25,7 @@ done
 expect "what has no certain format asks for it" 2 'tell no format' bash -c "echo text | '$plumbline' info -"
 expect "which --from says" 0 '1 segments' bash -c "echo 0,0,1,1 | '$plumbline' info - --from csv"
 expect "or an ending that lies" 0 "$exact" bash -c "cp plan.svg plan.txt; '$plumbline' arrange plan.txt --from svg"
-expect "of the formats that there are" 2 'unknown format: dwg' "$plumbline" info plan.svg --from dwg
+expect "of the formats that there are" 2 'not dwg, but svg, svgz, dxf' "$plumbline" info plan.svg --from dwg
 expect "a closed standard input is no drawing" 2 '^plumbline: /dev/stdin' bash -c "'$plumbline' info - <&-"
 expect "data alone are on standard output" 0 '^\{.*\}$' output_of "$plumbline" arrange plan.svg -o -
 expect "in the format that is asked for" 0 '^POLYGON' output_of "$plumbline" arrange plan.svg -o - --format wkt
@@ -36,7 +36,7 @@ expect "of pictures" 0 '^<svg.*</svg>$' output_of "$plumbline" lar plan.svg -o -
 expect "of structures" 0 '^<svg.*</svg>$' output_of "$plumbline" eval plan.svg -o - --format svg
 expect "of random segments" 0 '^[0-9.,]+$' output_of "$plumbline" random 1
 expect "a format goes before an ending" 0 '^POLYGON' bash -c "'$plumbline' arrange plan.svg -o a.txt --format wkt >/dev/null && cat a.txt"
-expect "an unknown format names the known ones" 2 'json, svg, geojson.*"dwg"' "$plumbline" arrange plan.svg -o - --format dwg
+expect "an unknown format names the known ones" 2 'not dwg, but json, svg, geojson' "$plumbline" arrange plan.svg -o - --format dwg
 expect "a format is of an output" 2 'format' "$plumbline" arrange plan.svg --format wkt
 expect "standard output takes one output" 2 'takes one output' "$plumbline" check plan.svg -o - --picture -
 if [[ -e /dev/full ]]; then
@@ -68,12 +68,48 @@ expect "several drawings are a line each, and a count" 0 'good.svg: [0-9]+ verti
 expect "in the order given" 1 'office.svg: disagree: 63 findings.*good.svg: agree.*2 drawings: 1 agree, 1 disagree' "$plumbline" check office.svg good.svg
 expect "the worst exit code counts, and one that is not there stops nothing" 2 'none.svg: no such file.*office.svg: disagree.*good.svg: agree.*3 drawings: 1 agree, 1 disagree, 1 refused' "$plumbline" check none.svg office.svg good.svg
 expect "options may stand between" 0 '2 drawings: 2 done' "$plumbline" arrange good.svg --threads 1 plan.svg
-expect "an output is of one" 2 'output is of one drawing; here are 2: "a.json"' "$plumbline" check good.svg plan.svg -o a.json
+expect "an output is of one" 2 '--output is of one drawing; here are 2' "$plumbline" check good.svg plan.svg -o a.json
 expect "so is a picture" 2 'picture is of one drawing' "$plumbline" check good.svg plan.svg --picture a.svg
 expect "and a result" 2 'against is of one drawing' "$plumbline" check good.svg plan.svg --against a.json
 expect "the summary of several is one object" 1 '^\{.*"files": \[.*"file": "office.svg".*"agree": false,.*"exit_code": 1.*"file": "good.svg".*"agree": true.*"exit_code": 0.*\],[[:space:]]*"exit_code": 1[[:space:]]*\}$' "$plumbline" check office.svg good.svg --json
 expect "quiet is quiet, too" 1 '^$' "$plumbline" check office.svg good.svg -q
 rm office.svg good.svg
+
+# ---- Help and typing errors
+expect "help is a command" 0 'Commands:.*arrange.*check' "$plumbline" help
+expect "of a command, too" 0 'Usage: plumbline check .OPTIONS. FILE.*Comparison:.*--radius R' "$plumbline" help check
+expect "the version has a short form" 0 '^plumbline [0-9.]+$' "$plumbline" -V
+for command in arrange check eval info lar random; do
+  expect "no line of the help of $command is longer than 100" 1 '^$' bash -c "'$plumbline' $command --help | grep -E '.{101}'"
+done
+expect "a command with a typing error" 2 '"chek"; did you mean check\?' "$plumbline" chek plan.svg
+expect "also where help is asked for" 2 'did you mean check\?' "$plumbline" help chek
+expect "an option, told in the order given" 2 'unknown option of check: "--raduis"; did you mean --radius\?' "$plumbline" check plan.svg --raduis 3
+expect "one that is begun" 2 'did you mean --tolerance\?' "$plumbline" check plan.svg --tol=3
+expect "one that is nothing like any" 2 'unknown option of check: "--frobnicate" .plumbline check --help' "$plumbline" check plan.svg --frobnicate
+expect "an option before the command" 2 'a command comes first, not "--radius"' "$plumbline" --radius 3 check plan.svg
+expect "a value" 2 'show: not expload; did you mean explode\? It is buckets, ' "$plumbline" lar plan.svg --show expload
+expect "a format" 2 'did you mean geojson\?' "$plumbline" arrange plan.svg --format geojsn -o -
+expect "a radius" 2 'did you mean larlib\?' "$plumbline" check plan.svg --radius larlbi
+expect "a value in capital letters is the same" 0 'wrote p.svg' "$plumbline" lar plan.svg --show Explode -o p.svg
+expect "a value that is missing" 2 '--radius needs a value, R' "$plumbline" check plan.svg --radius
+expect "a value of what takes none" 2 '--json takes no value' "$plumbline" info plan.svg --json=5
+expect "a file that is missing" 2 'FILE is missing' "$plumbline" arrange
+expect "a file too many" 2 'lar takes no further argument: "b.svg"' "$plumbline" lar plan.svg b.svg
+expect "an option twice" 2 '--threads is given more than once' "$plumbline" arrange plan.svg --threads 1 --threads 2
+expect "what does not go together" 2 '--quiet and --json do not go together|--json and --quiet' "$plumbline" arrange plan.svg -q --json
+expect "what a terminal would obey is not shown" 1 '^$' bash -c "'$plumbline' info plan.svg \$'--\\e[31mred' 2>&1 | grep \$'\\e'"
+
+# ---- Terminals
+if command -v script >/dev/null; then
+  # on_terminal ENVIRONMENT COMMAND...: what it shows on a terminal of 20 columns.
+  on_terminal() { env "$1" script -qec "stty cols 20; ${*:2}" /dev/null </dev/null; }
+  expect "a verdict is green on a terminal" 0 $'\e\\[32magree\e' on_terminal TERM=xterm "$plumbline" check "$examples/hospital-emergency.svg"
+  for plain in NO_COLOR=1 TERM=dumb; do
+    expect "but not with $plain" 1 '^$' bash -c "$(declare -f on_terminal); on_terminal $plain '$plumbline' check '$examples/hospital-emergency.svg' | grep \$'\\e'"
+  done
+  expect "help fits a narrow terminal" 0 '--from FORMAT[[:space:]]+Format of' on_terminal TERM=dumb "$plumbline" check --help
+fi
 
 rm -f a.txt p.svg plan.svg plan.txt pipe.svg
 leaves "nothing else was written"

@@ -2,9 +2,13 @@
 
 #include "cli/arguments.hpp"
 
+#include <algorithm>
 #include <sstream>
 
+#include "cli/help.hpp"
 #include "cli/options.hpp"
+#include "cli/suggestions.hpp"
+#include "cli/usage_error.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline::cli {
@@ -17,31 +21,13 @@ constexpr const char* kDescription =
     "  plumbline check plan.svg --picture check.svg\n"
     "  plumbline lar plan.svg --show components -o components.svg\n"
     "  plumbline eval table.json -o table.svg\n"
-    "  plumbline random 5000 -o random.lines\n";
+    "  plumbline random 5000 -o random.lines\n\n"
+    "plumbline help COMMAND tells the options of a command.";
 constexpr const char* kExitCodes =
     "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input (also where "
     "nothing of it, or not all that looks like geometry, is drawn: see --lenient) or usage, or a "
     "limit (--max-segments, --max-memory, --timeout), 3 internal; 130 after Ctrl-C, 143 after "
     "SIGTERM. However it ends, an output file is whole or not there.";
-
-/// CLI11 would only say that a command is required.
-void refuse_unknown_command(const std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments[0].starts_with('-')) return;
-  const std::string& command = arguments[0];
-  for (const char* known : {"arrange", "check", "eval", "info", "lar", "random"}) {
-    if (command == known) return;
-  }
-  throw Error(ErrorCode::BadInput,
-              "unknown command (the commands are arrange, check, eval, info, lar, random)", {},
-              command);
-}
-
-/// Arguments are shown as they are, but for what a terminal would obey.
-std::string shown(const std::string& text) {
-  std::string result, line;
-  for (std::istringstream lines(text); std::getline(lines, line);) result += line_text(line) + '\n';
-  return result;
-}
 
 /// Of several drawings there is one line each. Throws: Error BadInput for outputs and the like.
 template <class Arguments>
@@ -49,11 +35,9 @@ void check_several(const CLI::App& command, const Arguments& arguments) {
   if constexpr (std::is_base_of_v<InputArguments, Arguments>) {
     if (arguments.files.size() < 2) return;
     for (const CLI::Option* option : command.get_options()) {
-      if (option->get_type_name() != "FILE" || option->count() == 0) continue;
-      throw Error(ErrorCode::BadInput,
-                  option->get_name() + " is of one drawing; here are " +
-                      std::to_string(arguments.files.size()),
-                  {}, option->as<std::string>());
+      if (value_name(*option) != "FILE" || option->count() == 0) continue;
+      throw Error(ErrorCode::BadInput, option->get_name() + " is of one drawing; here are " +
+                                           std::to_string(arguments.files.size()));
     }
   }
 }
@@ -72,13 +56,31 @@ Command called(std::pair<CLI::App*, Arguments*>... commands) {
   return *std::move(result);
 }
 
+/// The help comes last, and a flag takes no value.
+void settle_flags(CLI::App& app) {
+  app.set_help_flag("-h,--help", "Tell this");
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->set_help_flag("-h,--help", "Tell this")->group("Common");
+    for (CLI::Option* option : command->get_options()) {
+      if (option->get_expected_min() == 0) option->disable_flag_override();
+    }
+  }
+}
+
+/// "help" and "help COMMAND" in the words of options.
+std::vector<std::string> without_help_command(std::vector<std::string> arguments) {
+  if (arguments.empty() || arguments[0] != "help") return arguments;
+  arguments.erase(arguments.begin());
+  arguments.resize(std::min<std::size_t>(arguments.size(), 1));
+  arguments.emplace_back("--help");
+  return arguments;
+}
+
 }  // namespace
 
-std::variant<Command, Notice> parse(const std::vector<std::string>& arguments) {
+std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::size_t columns) {
   CLI::App app(kDescription, "plumbline");
-  app.set_version_flag("--version", "plumbline " PLUMBLINE_VERSION);
-  app.footer(kExitCodes);
-  app.require_subcommand(1);
+  app.formatter(help_format(columns));
   ArrangeArguments arrange;
   CheckArguments check;
   InfoArguments info;
@@ -91,13 +93,19 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& arguments) {
   const std::pair lar_command(add_command(app, lar), &lar);
   const std::pair eval_command(add_command(app, eval), &eval);
   const std::pair random_command(add_command(app, random), &random);
-  refuse_unknown_command(arguments);
+  app.set_version_flag("-V,--version", "plumbline " PLUMBLINE_VERSION, "Tell the version");
+  app.footer(kExitCodes);
+  app.require_subcommand(1);
+  settle_flags(app);
+  const std::vector<std::string> arguments = without_help_command(given);
+  check_command_is_known(app, arguments);
   try {
     app.parse(std::vector(arguments.rbegin(), arguments.rend()));  // as CLI11 wants them: backwards
   } catch (const CLI::ParseError& error) {
-    std::ostringstream out, err;
-    const bool is_error = app.exit(error, out, err) != 0;
-    return Notice{is_error ? shown(err.str()) : out.str(), is_error};
+    if (error.get_exit_code() != 0) throw usage_error(app, error);
+    std::ostringstream text;
+    app.exit(error, text, text);
+    return Notice{text.str()};
   }
   return called(arrange_command, check_command, info_command, lar_command, eval_command,
                 random_command);

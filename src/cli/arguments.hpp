@@ -11,14 +11,16 @@ namespace plumbline::cli {
 using Command = std::variant<ArrangeArguments, CheckArguments, InfoArguments, LarArguments,
                              EvalArguments, RandomArguments>;
 
-/// What is said instead of running: the help, the version, or what is wrong with the arguments.
+/// What is said instead of running: the help, the version.
 struct Notice {
   std::string text;
-  bool is_error = false;
 };
 
-/// What the command line asks for, the program's name left out. Throws: Error BadInput for an
-/// unknown command and for what is no number.
-std::variant<Command, Notice> parse(const std::vector<std::string>& arguments);
+inline constexpr std::size_t kMostColumns = 100;  ///< of the help
+
+/// What the command line asks for, the program's name left out; its help has lines of so many
+/// columns. Throws: Error BadInput for anything wrong, with what was probably meant.
+std::variant<Command, Notice> parse(const std::vector<std::string>& arguments,
+                                    std::size_t columns = kMostColumns);
 
 }  // namespace plumbline::cli

@@ -135,11 +135,12 @@ ExitCode run(const CheckArguments& arguments, Report& report, const std::vector<
   write(arguments.findings, [&] { return to_geojson(result); });
   write(arguments.plot, [&] { return to_svg(*result.ladder, result.right_radii); });
   const std::string text = to_text(result, arguments.listed);
-  report.print("{}", text);
   report.set_headline(text.substr(0, text.find('\n')));
   summarise(result, report);
   const bool is_whole = count_lost(result.input.rejected) == 0 && !result.input.segments.empty();
-  return result.agree() && is_whole ? kAgree : kDisagree;
+  const ExitCode code = result.agree() && is_whole ? kAgree : kDisagree;
+  report.print("{}", report.verdict(text, code));
+  return code;
 }
 
 }  // namespace plumbline::cli

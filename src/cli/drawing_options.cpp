@@ -3,6 +3,7 @@
 #include <map>
 
 #include "cli/options.hpp"
+#include "cli/suggestions.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline::cli {
@@ -24,11 +25,11 @@ void add_advice(CLI::App& command, CheckArguments& arguments) {
       .add_flag_callback(
           "--no-advice", [&] { arguments.advice = false; }, "Do not, even for small drawings")
       ->excludes(advice);
-  add_plot(command, arguments.plot);
 }
 
 /// Whose answer is checked, and how it is run.
 void add_engine_options(CLI::App& command, CheckArguments& arguments) {
+  command.option_defaults()->group("The engine that is checked");
   CLI::Option* engine =
       command
           .add_option_function<std::string>(
@@ -60,7 +61,7 @@ void add_engine_options(CLI::App& command, CheckArguments& arguments) {
             arguments.engine = variant == "published" ? "inters" : "lar";
           },
           "Short for --engine: repaired is lar, published is inters")
-      ->check(CLI::IsMember({"repaired", "published"}).description(""))
+      ->transform(one_of({"repaired", "published"}))
       ->type_name("VARIANT")
       ->excludes("--against")
       ->excludes(engine);
@@ -82,7 +83,8 @@ void add_engine_options(CLI::App& command, CheckArguments& arguments) {
       ->excludes(unit_square);
 }
 
-void add_check_options(CLI::App& command, CheckArguments& arguments) {
+void add_comparison(CLI::App& command, CheckArguments& arguments) {
+  command.option_defaults()->group("Comparison");
   command
       .add_option(
           "--radius", arguments.radius,
@@ -91,6 +93,7 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
           "Plasm.jl has it; drawing, the default [default: 0.001 x the drawing's longer side; at "
           "least 2^-46 x its largest coordinate; "
           "of inters 0.001]")
+      ->check(radius())
       ->type_name("R");
   CLI::Option* against =
       command
@@ -113,12 +116,10 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
                   "coordinate]")
       ->check(finite())
       ->type_name("T");
-  command
-      .add_option("--list", arguments.listed,
-                  "Print so many groups of findings, with the findings of each "
-                  "[default: as many groups as fit on a screen]")
-      ->check(integer(0))
-      ->type_name("N");
+}
+
+void add_check_outputs(CLI::App& command, CheckArguments& arguments) {
+  command.option_defaults()->group("Output");
   command.add_option("-o,--output", arguments.output, "Write all findings to a JSON file")
       ->type_name("FILE");
   command
@@ -131,11 +132,17 @@ void add_check_options(CLI::App& command, CheckArguments& arguments) {
       .add_option("--findings", arguments.findings,
                   "Write the findings as points to a GeoJSON file, for QGIS and OGR")
       ->type_name("FILE");
-  add_advice(command, arguments);
-  add_engine_options(command, arguments);
+  add_plot(command, arguments.plot);
+  command
+      .add_option("--list", arguments.listed,
+                  "Print so many groups of findings, with the findings of each "
+                  "[default: as many groups as fit on a screen]")
+      ->check(integer(0))
+      ->type_name("N");
 }
 
 void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
+  command.option_defaults()->group("Output");
   CLI::Option* output = add_output(command, arguments.output, arguments.format,
                                    "Write the complex to a .json or .svg file; what --cells says, "
                                    "proven to be valid in doubles, "
@@ -157,7 +164,7 @@ void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
   command
       .add_option("--decimals", arguments.grid.decimals,
                   "Of --safe and of files of features: N decimals, not doubles")
-      ->check(CLI::Range(0, Grid::kMaxDecimals))
+      ->check(integer(0, Grid::kMaxDecimals))
       ->needs(output)
       ->excludes(compact)
       ->type_name("N");
@@ -167,7 +174,7 @@ void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
                   "with commas; of several, each feature of a .geojson file says which it is")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"faces", "edges", "vertices"}).description(""))
+      ->transform(one_of({"faces", "edges", "vertices"}))
       ->needs(output)
       ->type_name("CELLS");
   command
@@ -192,6 +199,7 @@ Range door_range(const std::string& text) {
 }
 
 void add_diagnosis(CLI::App& command, InfoArguments& arguments) {
+  command.option_defaults()->group("Diagnosis");
   CLI::Option* diagnose = command.add_flag(
       "--diagnose", arguments.diagnose,
       "Name the defects of the line work: duplicates, overlaps, gaps, undershoots, overshoots, "
@@ -246,9 +254,10 @@ CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments) {
       "          plumbline arrange plan.svg --safe --decimals 3 -o plan.json\n"
       "          plumbline arrange plan.dxf -o rooms.geojson\n"
       "          plumbline arrange plan.lines --certify plan.certificate");
+  add_files(*command, arguments);
+  add_complex_outputs(*command, arguments);
   add_drawing(*command, arguments);
   add_old_engine(*command, arguments);
-  add_complex_outputs(*command, arguments);
   return command;
 }
 
@@ -258,13 +267,15 @@ CLI::App* add_command(CLI::App& app, InfoArguments& arguments) {
   command->footer(
       "Examples: plumbline info plan.svg --ladder --plot ladder.svg\n"
       "          plumbline info plan.svg --diagnose --within 0.5 --picture defects.svg");
-  add_drawing(*command, arguments);
-  add_old_engine(*command, arguments);
+  add_files(*command, arguments);
+  command->option_defaults()->group("The tolerance ladder");
   command->add_flag("--ladder", arguments.ladder,
                     "The tolerance ladder: at which radii merging within the radius would give "
                     "other numbers of vertices, edges or faces");
   add_plot(*command, arguments.plot);
   add_diagnosis(*command, arguments);
+  add_drawing(*command, arguments);
+  add_old_engine(*command, arguments);
   return command;
 }
 
@@ -274,8 +285,12 @@ CLI::App* add_command(CLI::App& app, CheckArguments& arguments) {
   command->footer(
       "Examples: plumbline check plan.svg --radius 0.01 -o report.json --picture check.svg\n"
       "          plumbline check plan.svg --against polygons.geojson");
+  add_files(*command, arguments);
+  add_check_outputs(*command, arguments);
+  add_comparison(*command, arguments);
+  add_advice(*command, arguments);
+  add_engine_options(*command, arguments);
   add_drawing(*command, arguments);
-  add_check_options(*command, arguments);
   return command;
 }
 

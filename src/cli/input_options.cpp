@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cli/options.hpp"
+#include "cli/suggestions.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline::cli {
@@ -38,13 +39,42 @@ double seconds(const std::string& text) {
 
 }  // namespace
 
-CLI::Validator integer(std::int64_t least) {
-  const auto refuse = [least](const std::string& text) {
+CLI::Validator integer(std::int64_t least, std::int64_t most) {
+  const auto refuse = [least, most](const std::string& text) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool is_integer = error == std::errc() && end == text.data() + text.size();
-    if (is_integer && value >= least) return std::string();
-    return "not an integer" + (least == 0 ? " of 0 or more" : std::string()) + ": " + text;
+    if (is_integer && value >= least && value <= most) return std::string();
+    std::string range;
+    if (most != kAnyInteger) {
+      range = " from " + std::to_string(least) + " to " + std::to_string(most);
+    } else if (least == 0) {
+      range = " of 0 or more";
+    }
+    return "not an integer" + range + ": " + text;
+  };
+  return {refuse, ""};
+}
+
+CLI::Validator positive() {
+  const auto refuse = [](const std::string& text) {
+    double value = 0;
+    const bool is_right =
+        CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
+    return is_right ? std::string() : "not a finite, positive number: " + text;
+  };
+  return {refuse, ""};
+}
+
+CLI::Validator radius() {
+  const auto refuse = [](const std::string& text) -> std::string {
+    if (is_preset(text)) return "";
+    if (text.empty() || text.find_first_of("0123456789") != text.npos)
+      return "";  // told as a number
+    const std::vector<std::string> presets(kRadiusPresets.begin(), kRadiusPresets.end());
+    const std::string meant = did_you_mean(text, presets);
+    return "not " + text + (meant.empty() ? ", but " : meant + " It is ") +
+           "a number, larlib, plasm or drawing";
   };
   return {refuse, ""};
 }
@@ -60,6 +90,7 @@ CLI::Validator finite() {
 
 void add_common(CLI::App& command, CommonArguments& arguments) {
   Limits& limits = arguments.limits;
+  command.option_defaults()->group("Common");
   CLI::Option* json =
       command.add_flag("--json", arguments.json, "Say what is found as one JSON object");
   CLI::Option* quiet =
@@ -84,25 +115,23 @@ void add_common(CLI::App& command, CommonArguments& arguments) {
       ->type_name("SECONDS");
 }
 
-void add_input(CLI::App& command, InputArguments& arguments, const char* file) {
+void add_file(CLI::App& command, InputArguments& arguments, const char* what) {
   command
       .add_option_function<std::string>(
           "FILE", [&](const std::string& name) { arguments.file = file_of(name); },
-          file == nullptr ? kFile : file)
+          what == nullptr ? kFile : what)
       ->required()
       ->type_name("");
-  add_reading(command, arguments);
 }
 
 void add_reading(CLI::App& command, InputArguments& arguments) {
+  command.option_defaults()->group("Reading");
   command
       .add_option("--from", arguments.reading.format,
                   "Format of FILE: " + listed({kFormats.begin(), kFormats.end()}) +
                       " [default: by the file's ending; without one, as on standard input, by its "
                       "first bytes]")
-      ->check([](const std::string& name) {
-        return std::ranges::find(kFormats, name) != kFormats.end() ? "" : "unknown format: " + name;
-      })
+      ->transform(one_of({kFormats.begin(), kFormats.end()}))
       ->type_name("FORMAT");
   command
       .add_option_function<std::string>(
@@ -119,7 +148,7 @@ void add_reading(CLI::App& command, InputArguments& arguments) {
   command
       .add_option("--angle", arguments.reading.angle_bound,
                   "Rotations become rational ones, their angles within this [default: 1e-15]")
-      ->check(finite() & CLI::PositiveNumber)
+      ->check(positive())
       ->type_name("RADIANS");
   command.add_flag(
       "!--keep-curves", arguments.reading.join_curves,
@@ -152,6 +181,7 @@ CLI::Option* add_output(CLI::App& command, std::optional<std::string>& output,
       .add_option("--format", format,
                   "Format of -o: " + listed(formats) + " [default: by the file's ending; " +
                       std::string(formats.front()) + " on standard output, -o -]")
+      ->transform(one_of({formats.begin(), formats.end()}))
       ->needs(file)
       ->type_name("FORMAT");
   return file;
@@ -161,7 +191,7 @@ void add_threads(CLI::App& command, std::size_t& threads) {
   command
       .add_option("--threads", threads,
                   "Use at most N threads [default: one for each core]; never changes the result")
-      ->check(CLI::Range(1, 1024))
+      ->check(integer(1, 1024))
       ->type_name("N");
 }
 
@@ -172,11 +202,13 @@ ExactEngine exact_engine(const std::string& name) {
 }
 
 void add_exact_engine(CLI::App& command, DrawingArguments& arguments) {
+  command.option_defaults()->group("Arranging");
   command
       .add_option_function<std::string>(
           "--exact-engine",
           [&](const std::string& name) { arguments.exact_engine = exact_engine(name); },
           "Arrange with bucket (the default) or cgal (the reference, slower)")
+      ->transform(one_of({"bucket", "cgal"}))
       ->type_name("NAME");
   command.add_flag("--both-engines", arguments.both_engines, "Arrange with both and compare");
   command
@@ -191,7 +223,7 @@ void add_exact_engine(CLI::App& command, DrawingArguments& arguments) {
       ->group("");
 }
 
-void add_drawing(CLI::App& command, DrawingArguments& arguments) {
+void add_files(CLI::App& command, DrawingArguments& arguments) {
   command
       .add_option_function<std::vector<std::string>>(
           "FILE",
@@ -203,9 +235,12 @@ void add_drawing(CLI::App& command, DrawingArguments& arguments) {
               ". Of several each is told in a line, and the worst exit code counts")
       ->required()
       ->type_name("");
-  add_reading(command, arguments);
+}
+
+void add_drawing(CLI::App& command, DrawingArguments& arguments) {
   add_exact_engine(command, arguments);
   add_threads(command, arguments.threads);
+  add_reading(command, arguments);
 }
 
 void add_old_engine(CLI::App& command, DrawingArguments& arguments) {

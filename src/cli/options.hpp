@@ -18,25 +18,33 @@ CLI::App* add_command(CLI::App& app, LarArguments& arguments);
 CLI::App* add_command(CLI::App& app, EvalArguments& arguments);
 CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
 
-/// What several commands have: the drawing and how it is read, within which limits; `file` is what
-/// the help says of it.
-void add_input(CLI::App& command, InputArguments& arguments, const char* file = nullptr);
+/// A drawing; `what` is what the help says of it.
+void add_file(CLI::App& command, InputArguments& arguments, const char* what = nullptr);
+/// How drawings are read, and what all commands have.
 void add_reading(CLI::App& command, InputArguments& arguments);
 /// -o and --format; `what` says what is written, `formats` in which forms, the first by default.
 CLI::Option* add_output(CLI::App& command, std::optional<std::string>& output,
                         std::optional<std::string>& format, const std::string& what,
                         const std::vector<std::string_view>& formats);
-/// The same for several drawings, and how they are arranged.
+/// Several drawings.
+void add_files(CLI::App& command, DrawingArguments& arguments);
+/// How they are arranged and read.
 void add_drawing(CLI::App& command, DrawingArguments& arguments);
 /// The old name of --exact-engine, for commands where it means nothing else.
 void add_old_engine(CLI::App& command, DrawingArguments& arguments);
 /// --json, --quiet, --verbose and the limits.
 void add_common(CLI::App& command, CommonArguments& arguments);
-/// Lets only integers of 64 bits pass, from the least on. CLI11 takes nothing for 0 and lets
-/// negative ones overflow.
-CLI::Validator integer(std::int64_t least = std::numeric_limits<std::int64_t>::min());
+/// Lets only integers of 64 bits pass, from the least to the most. CLI11 takes nothing for 0 and
+/// lets negative ones overflow.
+inline constexpr auto kAnyInteger = std::numeric_limits<std::int64_t>::max();
+CLI::Validator integer(std::int64_t least = std::numeric_limits<std::int64_t>::min(),
+                       std::int64_t most = kAnyInteger);
 /// Lets only finite numbers pass.
 CLI::Validator finite();
+/// Those above 0.
+CLI::Validator positive();
+/// What may be a number, or the name of a preset.
+CLI::Validator radius();
 void add_threads(CLI::App& command, std::size_t& threads);
 /// "bucket" or "cgal".
 ExactEngine exact_engine(const std::string& name);

@@ -17,7 +17,7 @@ std::string rejected_lines(const SegmentSet& input);
 /// Whether every coordinate is what the file says, or what was replaced.
 std::string exactness_line(const SegmentSet& input);
 
-/// The same numbers as members of the summary: of the input all, or just what was lost or changed.
+/// The same numbers as members of the summary: of the input all, or what was lost or changed.
 void set_input(Report& report, const SegmentSet& input);
 void set_losses(Report& report, const SegmentSet& input);
 void set_counts(Report& report, const Counts& counts);

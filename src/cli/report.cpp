@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cli/outputs.hpp"
+#include "cli/terminal.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
 
@@ -76,6 +77,11 @@ std::string json_text(const Summary& summary) {
   json.SetIndent(' ', 2);
   write(json, summary);
   return std::string(text.GetString(), text.GetSize()) + '\n';
+}
+
+std::string Report::verdict(const std::string& text, ExitCode code) const {
+  if (text.find("agree") != 0 && text.find("disagree") != 0) return text;
+  return first_word_coloured(text, code == kAgree ? Colour::Green : Colour::Red, stream_);
 }
 
 void Report::note_written(const std::string& file) {

@@ -67,6 +67,8 @@ class Report {
   }
   /// The drawing in one line, which is all that is said where there are several.
   void set_headline(std::string line) { headline_ = std::move(line); }
+  /// The text with a first word that says by its colour whether it is good news.
+  std::string verdict(const std::string& text, ExitCode code) const;
   /// Data go to standard output.
   void leave_standard_output() { stream_ = stderr; }
   /// Notes, or also says, that the file is written.

@@ -1,5 +1,6 @@
 #include "cli/terminal.hpp"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -24,6 +25,20 @@ bool is_screen(std::FILE* stream) {
 }
 
 bool has_colour(std::FILE* stream) { return is_screen(stream) && variable("NO_COLOR").empty(); }
+
+std::string coloured(std::string_view text, Colour colour, std::FILE* stream) {
+  if (!has_colour(stream)) return std::string(text);
+  return fmt::format("\033[{}m{}\033[0m", static_cast<int>(colour), text);
+}
+
+std::string first_word_coloured(const std::string& text, Colour colour, std::FILE* stream) {
+  const std::size_t end = std::min(text.find_first_of(" :\n"), text.size());
+  return coloured(text.substr(0, end), colour, stream) + text.substr(end);
+}
+
+void tell(std::string_view text) {
+  fmt::print(stderr, "{} {}\n", coloured("plumbline:", Colour::Bold, stderr), text);
+}
 
 std::size_t columns_of(std::FILE* stream) {
   constexpr std::size_t kUsual = 80;

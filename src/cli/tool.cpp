@@ -1,18 +1,21 @@
 #include "cli/tool.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
 #include <new>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
 #include "cli/arguments.hpp"
 #include "cli/memory_limit.hpp"
 #include "cli/report.hpp"
+#include "cli/terminal.hpp"
 #include "cli/watchdog.hpp"
 #include "plumbline/error.hpp"
 
@@ -80,12 +83,12 @@ ExitCode run_each(const Arguments& arguments, const std::vector<Engine>& engines
     ExitCode code = kAgree;
     try {
       code = run_command(one, report, engines);
-      all.print("{}: {}\n", line_text(file), report.headline());
+      all.print("{}: {}\n", line_text(file), all.verdict(report.headline(), code));
     } catch (const Error& error) {
       code = exit_code_of(error);
       report.set("error", error.what());
       flush_output();  // in the order of the files, where both are a terminal
-      fmt::print(stderr, "plumbline: {}\n", error.what());
+      tell(error.what());
     }
     report.set("exit_code", static_cast<int>(code));
     summaries.push_back(report.summary());
@@ -110,16 +113,28 @@ ExitCode run_all(const Arguments& arguments, const std::vector<Engine>& engines)
   return run_reported(arguments, engines);
 }
 
+/// The help with the titles of its parts as headings.
+std::string with_headings(const std::string& text) {
+  std::string result, line;
+  for (std::istringstream lines(text); std::getline(lines, line);) {
+    const bool is_title = line.ends_with(':') && !line.starts_with(' ');
+    result += (is_title ? coloured(line, Colour::Bold, stdout) : line) + '\n';
+  }
+  return result;
+}
+
 ExitCode parse_and_run(const std::vector<std::string>& arguments,
                        const std::vector<Engine>& engines) {
-  const auto parsed = parse(arguments);
+  const bool is_screen = ::isatty(STDOUT_FILENO) != 0;
+  const auto parsed =
+      parse(arguments, is_screen ? std::min(columns_of(stdout), kMostColumns) : kMostColumns);
   if (const auto* notice = std::get_if<Notice>(&parsed)) {
-    fmt::print(notice->is_error ? stderr : stdout, "{}", notice->text);
+    fmt::print("{}", with_headings(notice->text));
     flush_output();
-    return notice->is_error ? kBadInput : kAgree;
+    return kAgree;
   }
   const auto run_watched = [&](const auto& command) {
-    for (const std::string& note : command.notes) fmt::print(stderr, "plumbline: {}\n", note);
+    for (const std::string& note : command.notes) tell(note);
     const Watchdog watchdog(command.limits);
     return run_all(command, engines);
   };
@@ -132,22 +147,22 @@ int run(int argc, char** argv, const std::vector<Engine>& engines) {
   try {
     return parse_and_run({argv + (argc > 0 ? 1 : 0), argv + argc}, engines);
   } catch (const Error& error) {
-    fmt::print(stderr, "plumbline: {}\n", error.what());
+    tell(error.what());
     return exit_code_of(error);
   } catch (const std::bad_alloc&) {
     end_without_memory();
   } catch (const std::system_error& error) {
     if (is_thread_missing(error.code())) end_without_memory();
-    fmt::print(stderr, "plumbline: {}\n", error.what());
+    tell(error.what());
     return kBadInput;
   } catch (const std::exception& error) {
     // TBB cannot start a thread: a limit of the user's, on memory or on processes.
     if (std::string_view(error.what()).starts_with("pthread_create has failed")) {
       if (is_memory_limited()) end_without_memory();
-      fmt::print(stderr, "plumbline: {}\n", error.what());
+      tell(error.what());
       return kBadInput;
     }
-    fmt::print(stderr, "plumbline: internal error: {}\n", error.what());
+    tell(std::string("internal error: ") + error.what());
     return kInternal;
   }
 }
