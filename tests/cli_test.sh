@@ -209,7 +209,7 @@ for kind in geojson wkt csv wkb; do
   rm -f "rooms.$kind"
 done
 expect "edges and vertices are layers" 0 'wrote c.geojson' "$plumbline" arrange "$examples/dwelling.svg" --cells edges,vertices -o c.geojson
-expect "that say which they are" 0 '"layer": "vertices"' grep -m1 -o '"layer": "vertices"' c.geojson
+expect "that say which they are" 0 '"layer":"vertices"' grep -m1 -o '"layer":"vertices"' c.geojson
 expect "in decimals as well" 0 'wrote c.geojson' "$plumbline" arrange "$examples/dwelling.svg" --decimals 3 -o c.geojson
 rm -f c.geojson
 expect "a CSV file holds one kind of cells" 2 'one kind' "$plumbline" arrange "$examples/dwelling.svg" --cells edges,faces -o c.csv

@@ -123,6 +123,17 @@ auto list(std::size_t count, F f) {
   return list(Numbers(0, count), std::move(f));
 }
 
+/// The same array, each item on a line of its own.
+template <class Range, class F>
+struct Rows {
+  Range range;
+  F f;
+};
+template <std::ranges::range Range, class F>
+Rows<Kept<Range>, F> rows(Range&& range, F f) {
+  return {std::forward<Range>(range), std::move(f)};
+}
+
 /// f(*known), or null where nothing is known: no value of an optional, a null pointer.
 template <class Known, class F>
 auto given(const Known& known, F f) {

@@ -76,6 +76,17 @@ class Writer {
   void value(const List<Range, F>& x) {
     array(x.range, x.f);
   }
+  template <class Range, class F>
+  void value(const Rows<Range, F>& x) {
+    text_ += '[';
+    bool is_first = true;
+    for (const auto& item : x.range) {
+      text_ += is_first ? "\n" : ",\n";
+      is_first = false;
+      value(x.f(item));
+    }
+    text_ += is_first ? "]" : "\n]";
+  }
   template <class... Parts>
   void value(const Object<Parts...>& x) {
     text_ += '{';
