@@ -21,6 +21,7 @@ struct Feature {
   /// not repeated; of a line one list of points; of a point one of one point.
   std::vector<std::vector<PointD>> parts;
   std::vector<FeatureValue> values;  ///< one for each column
+  std::string layer = {};            ///< of the drawing; CAD programs keep it
 };
 
 /// Features of one kind.

@@ -59,6 +59,13 @@ std::string to_csv(const FeatureLayer& layer);
 /// Well-known binary in hexadecimal digits, a geometry a line.
 std::string to_wkb_hex(const Features& features);
 
+/// DXF R2000 (AC1015) as text. Lines of one layer that go on from each other are joined to a
+/// polyline, polygons are a closed polyline for each ring, points points; where a layer has a
+/// column `name`, its texts stand within their polygons. On the feature's layer, else on one of the
+/// feature layer's name; of what DXF forbids in names each character is a "_". The note is a
+/// comment.
+std::string to_dxf(const Features& features);
+
 /// The segments as an SVG picture of lines, in the same way.
 std::string to_svg(const SegmentSet& input);
 

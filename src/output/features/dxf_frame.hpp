@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/features/dxf_text.hpp"
+
+namespace plumbline::features {
+
+/// A row of the table of layers.
+struct DxfLayer {
+  std::string name;  ///< legal
+  int colour = 7;    ///< AutoCAD's colour index; negative: off
+};
+
+/// What a DXF R2000 file has around its entities.
+struct DxfFrame {
+  std::string comment;
+  int unit = 0;  ///< $INSUNITS
+  PointD least, greatest;
+  std::vector<DxfLayer> layers;  ///< without "0"
+};
+
+/// Handle of the block that entities of the model space belong to.
+inline constexpr const char* kModelSpace = "1F";
+
+/// The whole file. Takes the handles for layers from `entities`.
+std::string dxf_file(const DxfFrame& frame, Groups entities);
+
+}  // namespace plumbline::features

@@ -1,0 +1,159 @@
+// Files that other programs open: what is in them, and that it is the complex.
+
+#include <rapidjson/document.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "inputs/families.hpp"
+#include "plumbline/arrange.hpp"
+#include "plumbline/check.hpp"
+#include "plumbline/engines/files.hpp"
+#include "plumbline/features.hpp"
+#include "plumbline/output.hpp"
+#include "plumbline/read.hpp"
+#include "plumbline/structure.hpp"
+#include "support/segments.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+struct Drawn {
+  SegmentSet input;
+  ExactComplex complex = arrange(input);
+  Rounding rounding = safely_rounded(complex, {});
+
+  FeatureLayer faces() const { return face_layer(complex, input, rounding); }
+  FeatureLayer edges() const { return edge_layer(input, rounding); }
+};
+
+Features features(std::vector<FeatureLayer> layers) { return {std::move(layers), "", "a note"}; }
+
+const std::string kRooms = rectangle(0, 0, 8, 4) + "4 0 4 4  6 4 6 2  " + rectangle(1, 1, 2, 2);
+
+/// What the tool reads in a file of this content.
+SegmentSet read_back(const std::string& name, const std::string& content) {
+  const auto file = std::filesystem::temp_directory_path() / ("plumbline_writers_test_" + name);
+  std::ofstream(file, std::ios::binary) << content;
+  SegmentSet input = evaluate(read(file));
+  std::filesystem::remove(file);
+  return input;
+}
+
+std::size_t count_of(const std::string& text, const std::string& words) {
+  std::size_t count = 0;
+  for (auto at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++count;
+  return count;
+}
+
+bool has_isolated_vertices(const ExactComplex& complex) {
+  return !complex.face_isolated_vertices.flat().empty();
+}
+
+/// One input of each family, of those with edges.
+std::vector<std::pair<std::string, Drawn>> of_all_families(std::uint64_t seed) {
+  std::vector<std::pair<std::string, Drawn>> all;
+  for (const std::string& family : inputs::families()) {
+    Drawn drawn{inputs::of_family(family, seed)};
+    if (drawn.complex.edge_count() == 0 || has_isolated_vertices(drawn.complex)) continue;
+    all.emplace_back(family, std::move(drawn));
+  }
+  return all;
+}
+
+using Ring = std::vector<std::pair<double, double>>;
+using JsonRing = rapidjson::Value;
+
+Ring ring_of(const JsonRing& points) {
+  Ring ring;
+  for (const auto& p : points.GetArray()) ring.emplace_back(p[0].GetDouble(), p[1].GetDouble());
+  return ring;
+}
+
+/// As a client of TopoJSON puts arcs together.
+Ring stitched(const rapidjson::Document& topology, const rapidjson::Value& arcs) {
+  Ring ring;
+  for (const auto& reference : arcs.GetArray()) {
+    const int i = reference.GetInt();
+    Ring arc = ring_of(topology["arcs"][static_cast<rapidjson::SizeType>(i < 0 ? ~i : i)]);
+    if (i < 0) std::reverse(arc.begin(), arc.end());
+    if (!ring.empty()) {
+      REQUIRE(ring.back() == arc.front());
+      ring.pop_back();
+    }
+    ring.insert(ring.end(), arc.begin(), arc.end());
+  }
+  return ring;
+}
+
+/// A closed ring from its least point on.
+Ring from_least(Ring ring) {
+  REQUIRE(ring.front() == ring.back());
+  ring.pop_back();
+  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+  return ring;
+}
+
+}  // namespace
+
+TEST_CASE("DXF joins lines of one layer that go on from each other") {
+  const auto line = [](PointD a, PointD b, std::string layer) {
+    return Feature{{{a, b}}, {}, std::move(layer)};
+  };
+  const Features drawing =
+      features({{"edges",
+                 FeatureGeometry::Line,
+                 {},
+                 {line({0, 0}, {1, 0}, "A"), line({2, 1}, {1, 0}, "A"), line({2, 1}, {3, 1}, "B"),
+                  line({5, 5}, {6, 5}, ""), line({6, 5}, {6, 6}, ""), line({6, 6}, {5, 5}, "")}}});
+  const std::string dxf = to_dxf(drawing);
+  CHECK(count_of(dxf, "\nLINE\n") == 1);
+  CHECK(count_of(dxf, "\nLWPOLYLINE\n") == 2);
+  CHECK(dxf.find("\n8\nA\n100\nAcDbPolyline\n90\n3\n70\n0\n10\n0.0\n20\n0.0\n10\n1.0\n20\n0.0\n10\n"
+                 "2.0\n20\n1.0\n") != dxf.npos);
+  CHECK(dxf.find("\n8\nedges\n100\nAcDbPolyline\n90\n3\n70\n1\n") != dxf.npos);  // closed
+  CHECK(dxf.starts_with("999\na note\n0\nSECTION\n"));
+}
+
+TEST_CASE("layers of DXF have legal names, each its own") {
+  const auto point = [](std::string layer) { return Feature{{{{0, 0}}}, {}, std::move(layer)}; };
+  const std::string dxf =
+      to_dxf(features({{"vertices",
+                        FeatureGeometry::Point,
+                        {},
+                        {point("W\xC3\xA4nde/a:b"), point("walls"), point("WALLS"), point("0"),
+                         point("\xF0\x9F\x98\x80")}}}));
+  for (const char* name : {"W\\U+00E4nde_a_b", "walls", "WALLS_2", "\\U+FFFD"}) {
+    CHECK(count_of(dxf, std::string("\nAcDbLayerTableRecord\n2\n") + name + "\n") == 1);
+    CHECK(count_of(dxf, std::string("\n8\n") + name + "\n100\nAcDbPoint") == 1);
+  }
+  CHECK(count_of(dxf, "\nAcDbLayerTableRecord\n2\n") == 5);
+}
+
+TEST_CASE("DXF has the names of polygons as texts within them") {
+  // A U, whose middle is not in it.
+  const FeatureLayer rooms{"rooms",
+                           FeatureGeometry::Polygon,
+                           {"name"},
+                           {{{{{0, 0}, {9, 0}, {9, 9}, {8, 9}, {8, 1}, {1, 1}, {1, 9}, {0, 9}}},
+                             {"K\xC3\xBC"
+                              "che"}},
+                            {{{{20, 0}, {21, 0}, {21, 1}}}, {std::monostate()}}}};
+  const std::string dxf = to_dxf(features({rooms}));
+  CHECK(count_of(dxf, "\nTEXT\n") == 1);
+  CHECK(dxf.find("\n1\nK\\U+00FCche\n72\n1\n11\n4.5\n21\n0.5\n") != dxf.npos);
+}
+
+TEST_CASE("DXF that is written and read back is the rounded complex") {
+  for (const auto& [family, drawn] : of_all_families(21)) {
+    INFO(family);
+    const SegmentSet read = read_back("e.dxf", to_dxf(features({drawn.edges()})));
+    CHECK(read.rejected.empty());
+    CHECK(signature(arrange(rounded(read), 1)) == signature(drawn.rounding.complex));
+  }
+}
+
