@@ -157,3 +157,45 @@ TEST_CASE("DXF that is written and read back is the rounded complex") {
   }
 }
 
+TEST_CASE("faces share the arcs of TopoJSON, and are those of GeoJSON") {
+  for (const auto& [family, drawn] : of_all_families(22)) {
+    INFO(family);
+    const Features faces = features({drawn.faces()});
+    rapidjson::Document topology, json;
+    topology.Parse(to_topojson(faces).c_str());
+    json.Parse(to_geojson(faces).c_str());
+    REQUIRE(!topology.HasParseError());
+    std::set<int> used;
+    const auto& polygons = topology["objects"]["faces"]["geometries"];
+    REQUIRE(polygons.Size() == json["features"].Size());
+    for (rapidjson::SizeType i = 0; i < polygons.Size(); ++i) {
+      CHECK(polygons[i]["properties"] == json["features"][i]["properties"]);
+      const auto& rings = json["features"][i]["geometry"]["coordinates"];
+      REQUIRE(polygons[i]["arcs"].Size() == rings.Size());
+      for (rapidjson::SizeType r = 0; r < rings.Size(); ++r) {
+        const auto& arcs = polygons[i]["arcs"][r];
+        CHECK(from_least(stitched(topology, arcs)) == from_least(ring_of(rings[r])));
+        for (const auto& arc : arcs.GetArray()) {
+          CHECK(used.insert(arc.GetInt()).second);  // in each direction once
+        }
+      }
+    }
+    for (rapidjson::SizeType a = 0; a < topology["arcs"].Size(); ++a) {
+      CHECK((used.contains(static_cast<int>(a)) || used.contains(~static_cast<int>(a))));
+    }
+  }
+}
+
+TEST_CASE("an arc of TopoJSON goes from node to node, and ends where a line does") {
+  const Drawn rooms{segments(kRooms)};
+  rapidjson::Document topology;
+  topology.Parse(to_topojson(features({rooms.faces()})).c_str());
+  // The closed column; left, right and middle wall of the two rooms: of the dangling wall nothing.
+  CHECK(topology["arcs"].Size() == 4);
+  topology.Parse(to_topojson(features({rooms.faces(), rooms.edges()})).c_str());
+  CHECK(topology["arcs"].Size() == rooms.complex.edge_count());
+  const auto& edges = topology["objects"]["edges"]["geometries"];
+  REQUIRE(edges.Size() == rooms.complex.edge_count());
+  for (const auto& edge : edges.GetArray()) CHECK(edge["arcs"].Size() == 1);
+}
+

@@ -52,6 +52,10 @@ std::string to_svg(const ExactComplex& complex, bool y_up = false);
 /// RFC 7946, but in the drawing's own coordinates: a FeatureCollection; of several layers each
 /// feature has the property `layer`. The member `numbers` is the note, `crs` the reference system.
 std::string to_geojson(const Features& features);
+/// TopoJSON without quantisation: an object for each layer, whose polygons and lines are arcs. An
+/// arc goes on until lines or sides of polygons part there, or a line ends. Properties, `numbers`
+/// and `crs` as above.
+std::string to_topojson(const Features& features);
 /// Well-known text, a geometry a line: what GEOS, JTS, PostGIS and `read` read.
 std::string to_wkt(const Features& features);
 /// RFC 4180, with a column `wkt`.
