@@ -199,3 +199,29 @@ TEST_CASE("an arc of TopoJSON goes from node to node, and ends where a line does
   for (const auto& edge : edges.GetArray()) CHECK(edge["arcs"].Size() == 1);
 }
 
+TEST_CASE("triangles of OBJ fill the faces") {
+  const Drawn rooms{segments(kRooms)};
+  std::istringstream lines(to_obj(rooms.rounding));
+  std::vector<PointD> points;
+  std::vector<double> areas;
+  std::size_t edges = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line.substr(1));
+    if (line.starts_with("v ")) {
+      words >> points.emplace_back().x >> points.back().y;
+    } else if (line.starts_with("g face")) {
+      areas.push_back(0);
+    } else if (line.starts_with("l ")) {
+      ++edges;
+    } else if (line.starts_with("f ")) {
+      std::size_t a = 0, b = 0, c = 0;
+      words >> a >> b >> c;
+      const PointD p = points.at(a - 1), q = points.at(b - 1), r = points.at(c - 1);
+      areas.back() += ((q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y)) / 2;
+    }
+  }
+  CHECK(points.size() == rooms.complex.vertices.size());
+  CHECK(edges == rooms.complex.edge_count());
+  CHECK(areas == std::vector<double>{15, 1, 16});
+}
+

@@ -70,6 +70,10 @@ std::string to_wkb_hex(const Features& features);
 /// comment.
 std::string to_dxf(const Features& features);
 
+/// Wavefront OBJ: vertices (z is 0), edges as lines in the group `edges`, each bounded face as
+/// triangles in a group `face_F`. What is written is the rounded complex; the note is a comment.
+std::string to_obj(const Rounding& rounding);
+
 /// The segments as an SVG picture of lines, in the same way.
 std::string to_svg(const SegmentSet& input);
 
