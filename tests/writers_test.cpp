@@ -225,3 +225,27 @@ TEST_CASE("triangles of OBJ fill the faces") {
   CHECK(areas == std::vector<double>{15, 1, 16});
 }
 
+TEST_CASE("a LAR model that is written is the exact complex, for read and for check") {
+  for (const auto& [family, drawn] : of_all_families(23)) {
+    INFO(family);
+    const std::string lar = to_lar_json(drawn.complex);
+    CHECK(signature(arrange(read_back("m.lar.json", lar))) == signature(drawn.complex));
+    if (!is_kept_by_simple_rounding(drawn.complex, {})) continue;  // which check reads it with
+    const auto answer = files::answer(files::read_lar(lar, "m"));
+    CHECK(check(drawn.input, drawn.complex, answer).comparison.agree());
+  }
+}
+
+TEST_CASE("a LAR model has the vertices of each face, and its boundaries where there are holes") {
+  const Drawn fractions{segments("0 0 1 0  1 0 1/3 0.5  1/3 0.5 0 0")};
+  CHECK(to_lar_json(fractions.complex) ==
+        "{\"V\":[\n[0,0],\n[\"1/3\",0.5],\n[1,0]\n],\"FV\":[\n[0,2,1]\n],\"EV\":[\n[0,1],\n[0,2],\n"
+        "[1,2]\n]}\n");
+  const Drawn rooms{segments(kRooms)};
+  rapidjson::Document lar;
+  lar.Parse(to_lar_json(rooms.complex).c_str());
+  REQUIRE(lar["polygons"].Size() == 3);
+  CHECK(lar["polygons"][0].Size() == 2);
+  CHECK(lar["FV"][0].Size() == lar["polygons"][0][0].Size() + lar["polygons"][0][1].Size());
+}
+

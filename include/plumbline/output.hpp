@@ -42,6 +42,12 @@ std::string to_json(const Structure& structure);
 /// coordinates strings "p/q".
 std::string to_json(const LarModel& model);
 
+/// The complex as a LAR model (V, FV, EV): `FV` has for each bounded face the vertices of its outer
+/// boundary, then those of its holes, edges that end within it left out; where there are holes,
+/// `polygons` has per face its boundaries one by one. Decimals are numbers, other coordinates
+/// strings "p/q". **Exact**; `read` and `check --against` take it.
+std::string to_lar_json(const ExactComplex& complex);
+
 /// The complex as an SVG picture, in the drawing's own coordinates: faces filled by nesting depth,
 /// edges, antennas dashed; y negated where it runs upwards. **Rounded** to nearest doubles.
 std::string to_svg(const ExactComplex& complex, bool y_up = false);

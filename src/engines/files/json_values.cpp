@@ -24,7 +24,11 @@ JsonValue member(const JsonValue& object, std::string_view key, JsonType type) {
 }
 
 double number(const JsonValue& value) {
-  expect(value, JsonType::Number, "a number");
+  return coordinate(expect(value, JsonType::Number, "a number"));
+}
+
+double coordinate(const JsonValue& value) {
+  if (!value.is(JsonType::String)) expect(value, JsonType::Number, "a number");
   double result = 0;
   try {
     result = nearest_double(parse_number(value.text()));

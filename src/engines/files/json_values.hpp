@@ -13,6 +13,8 @@ JsonValue expect(const JsonValue& value, JsonType type, const char* what);
 JsonValue member(const JsonValue& object, std::string_view key, JsonType type);
 /// A number as the nearest double, finite.
 double number(const JsonValue& value);
+/// The same, or a string "p/q".
+double coordinate(const JsonValue& value);
 std::int64_t integer(const JsonValue& value);
 
 }  // namespace json

@@ -128,7 +128,7 @@ void LarResult::read_vertices() {
       point.fail("not LAR: point of " + std::to_string(point.size()) + " coordinates");
     }
     const JsonValue x = point.first();
-    cells_.vertices.push_back({json::number(x), json::number(x.next())});
+    cells_.vertices.push_back({json::coordinate(x), json::coordinate(x.next())});
     has_other_coordinates = has_other_coordinates || point.size() > 2;
   }
   if (has_other_coordinates) {
