@@ -249,3 +249,8 @@ TEST_CASE("a LAR model has the vertices of each face, and its boundaries where t
   CHECK(lar["FV"][0].Size() == lar["polygons"][0][0].Size() + lar["polygons"][0][1].Size());
 }
 
+TEST_CASE("edges are decimals, or not") {
+  CHECK(are_decimals(Drawn{segments("0 0 2 1  0 1 1 0")}.complex) == false);
+  CHECK(are_decimals(Drawn{segments("0 0 1 0.0078125  -3 1e-7 8/5 3")}.complex));
+  CHECK(are_decimals(Drawn{segments("0 0 1 1/7")}.complex) == false);
+}

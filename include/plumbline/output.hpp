@@ -96,6 +96,8 @@ std::string to_lines(const SegmentSet& input);
 /// complex itself, but for its isolated vertices and sources. **Exact**. Requires: coordinates are
 /// decimals, as those of a Rounding are; throws Error BadInput.
 std::string to_lines(const ExactComplex& complex);
+/// Whether all coordinates are decimals.
+bool are_decimals(const ExactComplex& complex);
 
 /// The certificate of an exact arrangement: the complex, and for each cell what is needed to check
 /// it against the input without trusting who made it; `plumbline-verify` does. The format is in

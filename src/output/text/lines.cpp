@@ -1,5 +1,6 @@
 // LAR's .lines: a row "x1,y1,x2,y2" per segment.
 
+#include <algorithm>
 #include <array>
 
 #include "plumbline/output.hpp"
@@ -26,6 +27,19 @@ std::string to_lines(const SegmentSet& input) {
   for (std::size_t s = 0; s < input.segments.size(); ++s) add(input.segments.numbers(s));
   for (const Point& p : input.points) add(std::array{Number(p.x), Number(p.y)});
   return rows;
+}
+
+bool are_decimals(const ExactComplex& complex) {
+  const auto is_decimal = [](const Rational& x) {
+    mpz_class rest;
+    for (const unsigned prime : {2U, 5U}) {
+      mpz_remove(rest.get_mpz_t(), (prime == 2 ? x.get_den() : rest).get_mpz_t(),
+                 mpz_class(prime).get_mpz_t());
+    }
+    return rest == 1;
+  };
+  return std::ranges::all_of(complex.vertices,
+                             [&](const Point& p) { return is_decimal(p.x) && is_decimal(p.y); });
 }
 
 std::string to_lines(const ExactComplex& complex) {
