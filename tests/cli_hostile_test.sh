@@ -203,7 +203,7 @@ rm was
 name=$'a\033[31m\nb\xff.lines'
 triangle >"$name"
 printf 'bad' >"$name.svg"
-for command in "info" "arrange" "check" "lar" "eval"; do
+for command in "info" "arrange" "rooms" "check" "lar" "eval"; do
   for file in "$name" "$name.svg" "none$name"; do
     output=$("$plumbline" $command "$file" 2>&1)
     [[ $output != *$'\033'* && $output != *$'a\n'* ]] || failed "$command prints a name as it is: $output"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plumbline/polygons.hpp"
+#include "plumbline/rooms.hpp"
 #include "plumbline/round.hpp"
 
 namespace plumbline {
@@ -50,6 +51,13 @@ FeatureLayer face_layer(const ExactComplex& complex, const SegmentSet& input,
 FeatureLayer edge_layer(const SegmentSet& input, const Rounding& rounding);
 /// Its vertices. Columns: `vertex`, `degree`.
 FeatureLayer vertex_layer(const Rounding& rounding);
+
+/// The rooms as polygons; more than one for a room that the rounding has parted. Columns: `room`,
+/// its number from 1, `name` (all names, "; " between), `area` and `area_exact` of the exact face,
+/// `area_m2` where the unit is known, `perimeter`, `layers`, `depth`, `parent`, `neighbours` ("2
+/// 5"), `doors` (neighbours behind doors), `face`. Requires: a rounding of the complex of the
+/// rooms.
+FeatureLayer room_layer(const Rooms& rooms, const Rounding& rounding);
 
 /// "nearest doubles, the same incidences as the exact complex, proven".
 std::string note_of(const Rounding& rounding);

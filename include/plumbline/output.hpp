@@ -8,6 +8,7 @@
 #include "plumbline/complex.hpp"
 #include "plumbline/diagnose.hpp"
 #include "plumbline/features.hpp"
+#include "plumbline/rooms.hpp"
 #include "plumbline/round.hpp"
 
 namespace plumbline {
@@ -142,5 +143,15 @@ std::string to_geojson(const Diagnosis& diagnosis, const SegmentSet& input);
 /// A panel for each kind that was found: the drawing with the defects marked by their numbers.
 std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
                    const ExactComplex& complex);
+
+/// The rooms for a terminal, a table: the `listed` largest ones, or as many as fit on a screen, in
+/// the order of their numbers; what was left out, and texts in no room.
+std::string to_text(const Rooms& rooms, const SegmentSet& input,
+                    std::optional<std::size_t> listed = {});
+/// The same as JSON, all rooms.
+std::string to_json(const Rooms& rooms, const SegmentSet& input);
+/// A plan: rooms in colours, different ones beside each other, with number, first name and area; a
+/// list of them and a scale bar.
+std::string to_svg(const Rooms& rooms, const SegmentSet& input, const ExactComplex& complex);
 
 }  // namespace plumbline

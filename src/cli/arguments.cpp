@@ -18,6 +18,7 @@ constexpr const char* kDescription =
     "Exact planar arrangements of drawings, and a verdict on the float LAR result.\n\n"
     "  plumbline info plan.svg\n"
     "  plumbline arrange plan.svg -o plan.json\n"
+    "  plumbline rooms plan.dxf -o rooms.geojson --picture rooms.svg\n"
     "  plumbline check plan.svg --picture check.svg\n"
     "  plumbline lar plan.svg --show components -o components.svg\n"
     "  plumbline eval table.json -o table.svg\n"
@@ -84,12 +85,14 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   ArrangeArguments arrange;
   CheckArguments check;
   InfoArguments info;
+  RoomsArguments rooms;
   LarArguments lar;
   EvalArguments eval;
   RandomArguments random;
   const std::pair arrange_command(add_command(app, arrange), &arrange);
   const std::pair check_command(add_command(app, check), &check);
   const std::pair info_command(add_command(app, info), &info);
+  const std::pair rooms_command(add_command(app, rooms), &rooms);
   const std::pair lar_command(add_command(app, lar), &lar);
   const std::pair eval_command(add_command(app, eval), &eval);
   const std::pair random_command(add_command(app, random), &random);
@@ -107,8 +110,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
     app.exit(error, text, text);
     return Notice{text.str()};
   }
-  return called(arrange_command, check_command, info_command, lar_command, eval_command,
-                random_command);
+  return called(arrange_command, check_command, info_command, rooms_command, lar_command,
+                eval_command, random_command);
 }
 
 }  // namespace plumbline::cli

@@ -8,8 +8,8 @@
 
 namespace plumbline::cli {
 
-using Command = std::variant<ArrangeArguments, CheckArguments, InfoArguments, LarArguments,
-                             EvalArguments, RandomArguments>;
+using Command = std::variant<ArrangeArguments, CheckArguments, InfoArguments, RoomsArguments,
+                             LarArguments, EvalArguments, RandomArguments>;
 
 /// What is said instead of running: the help, the version.
 struct Notice {

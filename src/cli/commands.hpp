@@ -102,6 +102,14 @@ struct InfoArguments : DrawingArguments {
   std::optional<std::string> picture;
 };
 
+struct RoomsArguments : DrawingArguments {
+  RoomOptions rooms;
+  std::optional<std::size_t> listed;  ///< rooms printed
+  std::optional<std::string> output;
+  std::optional<std::string> format;  ///< of the output
+  std::optional<std::string> picture;
+};
+
 struct LarArguments : InputArguments {
   bool is_published = false;
   bool unit_square = false;
@@ -144,6 +152,7 @@ class Report;
 ExitCode run(const ArrangeArguments& arguments, Report& report);
 ExitCode run(const CheckArguments& arguments, Report& report, const std::vector<Engine>& engines);
 ExitCode run(const InfoArguments& arguments, Report& report);
+ExitCode run(const RoomsArguments& arguments, Report& report);
 ExitCode run(const LarArguments& arguments, Report& report);
 ExitCode run(const EvalArguments& arguments, Report& report);
 ExitCode run(const RandomArguments& arguments, Report& report);

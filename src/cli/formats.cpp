@@ -47,6 +47,12 @@ std::vector<std::string_view> complex_formats() {
   return names_where([](const Format& format) { return format.of_complexes; });
 }
 
+std::vector<std::string_view> rooms_formats() {
+  std::vector<std::string_view> names = feature_formats();
+  names.insert(names.end(), {"json", "svg"});
+  return names;
+}
+
 const Format& format_named(std::string_view name) {
   const auto found = std::ranges::find(formats(), name, &Format::name);
   ensure(found != formats().end(), "the format is in the table");

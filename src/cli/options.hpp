@@ -14,6 +14,7 @@ namespace plumbline::cli {
 CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments);
 CLI::App* add_command(CLI::App& app, CheckArguments& arguments);
 CLI::App* add_command(CLI::App& app, InfoArguments& arguments);
+CLI::App* add_command(CLI::App& app, RoomsArguments& arguments);
 CLI::App* add_command(CLI::App& app, LarArguments& arguments);
 CLI::App* add_command(CLI::App& app, EvalArguments& arguments);
 CLI::App* add_command(CLI::App& app, RandomArguments& arguments);

@@ -6,6 +6,7 @@
 
 #include <unordered_set>
 
+#include "features/parts.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline {
@@ -13,14 +14,7 @@ namespace {
 
 PointD place(const ExactComplex& complex, VertexId v) { return complex.vertices.nearest(v); }
 
-std::vector<PointD> places(const ExactComplex& complex, std::span<const VertexId> ring) {
-  std::vector<PointD> result;
-  result.reserve(ring.size());
-  for (const VertexId v : ring) result.push_back(place(complex, v));
-  return result;
-}
-
-FeatureValue number(std::size_t value) { return static_cast<std::int64_t>(value); }
+using features::number;
 
 std::string sources_text(const SegmentSet& input, std::span<const SegmentId> segments) {
   std::string text;
@@ -61,10 +55,7 @@ FeatureLayer face_layer(const ExactComplex& complex, const SegmentSet& input,
   for (const FacePolygon& polygon : polygons(rounded)) {
     const FaceId f = polygon.face;
     Feature feature;
-    feature.parts.push_back(places(rounded, polygon.outer));
-    for (std::size_t h = 0; h < polygon.holes.size(); ++h) {
-      feature.parts.push_back(places(rounded, polygon.holes[h]));
-    }
+    feature.parts = features::parts(rounded, polygon);
     const Rational& area = areas.at(is_same ? rounding.face_origin.at(f) : f);
     feature.values = {number(f),        nearest_double(area),           exact_text(area),
                       lengths[f],       number(rounded.face_depth[f]),  number(rounded.parent(f)),

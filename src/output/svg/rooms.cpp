@@ -1,0 +1,206 @@
+// A plan of rooms to pin up: each with its number, name and area; a list of them, a scale bar.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "output/svg/kit.hpp"
+#include "output/svg/panel.hpp"
+#include "output/svg/sheet.hpp"
+#include "output/text/rooms.hpp"
+#include "plumbline/error.hpp"
+#include "plumbline/output.hpp"
+
+namespace plumbline {
+namespace {
+
+/// ColorBrewer's "Set3": neighbours are told apart, by day and in print.
+constexpr std::array kColours = {"#8dd3c7", "#ffffb3", "#bebada", "#fdb462", "#b3de69", "#fccde5",
+                                 "#80b1d3", "#ffed6f", "#ccebc5", "#d9d9d9", "#fb8072", "#bc80bd"};
+constexpr const char* kNarrow = "#e9ecef";  // walls, and what else is no room
+constexpr double kListWidth = 380, kHead = 64, kFoot = 56, kLine = 20, kWords = 14;
+constexpr double kPlanWidth = svg::sheet::kWidth - 3 * svg::sheet::kMargin - kListWidth;
+
+constexpr double kBold = 0.62, kPlain = 0.56;  // mean width of a letter, as part of its height
+
+/// How many letters: bytes of UTF-8 that begin one.
+double letters(const std::string& text) {
+  return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+  }));
+}
+
+std::string names_text(const Room& room) { return fmt::format("{}", fmt::join(room.names, ", ")); }
+
+/// As many letters as there is space for.
+std::string shortened(const std::string& text, double most) {
+  if (letters(text) <= most) return text;
+  std::string result;
+  double count = 0;
+  for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xc0U) != 0x80U && ++count > most - 1) break;
+    result += c;
+  }
+  return result + "\u2026";
+}
+
+std::string fills(const Rooms& rooms, const ExactComplex& complex, const svg::Frame& frame) {
+  std::vector<std::string> colour(complex.face_count(), kNarrow);
+  std::vector<std::size_t> room_of(complex.face_count());
+  const std::vector<std::size_t> colours = room_colours(rooms);
+  for (std::size_t r = 0; r < colours.size(); ++r) {
+    colour[rooms.rooms[r].face] = kColours[colours[r] % kColours.size()];
+    room_of[rooms.rooms[r].face] = r + 1;
+  }
+  const auto cycle = [&](CycleId c) {
+    std::vector<PointD> points;
+    for (const HalfedgeId h : complex.cycles[c]) {
+      points.push_back(frame(complex.vertices.nearest(complex.origin(h))));
+    }
+    return svg::closed_path(points);
+  };
+  std::string text = "<g stroke=\"none\" fill-rule=\"evenodd\">\n";
+  for (std::size_t f = 1; f < complex.face_count(); ++f) {
+    std::string path = cycle(complex.face_outer[f]);
+    for (const CycleId hole : complex.face_holes[f]) path += cycle(hole);
+    const std::string room = room_of[f] == 0 ? "" : fmt::format(" data-room=\"{}\"", room_of[f]);
+    text += fmt::format("<path{} fill=\"{}\" d=\"{}\"/>\n", room, colour[f], path);
+  }
+  return text + "</g>\n";
+}
+
+/// The number, the name and the area about the middle of the room, as large as its circle allows,
+/// and what is legible of them.
+std::string words_in(const Rooms& rooms, std::size_t r, const svg::Frame& frame) {
+  constexpr double kLargest = 15, kLegible = 5, kSpacing = 1.25;
+  const Room& room = rooms.rooms[r];
+  const PointD middle = frame(room.middle);
+  const double width = room.width * frame.scale * 0.94;
+  std::vector<std::string> lines{std::to_string(r + 1)};
+  if (!room.names.empty()) lines.push_back(room.names.front());
+  lines.push_back(area_text(rooms, room.area));
+  double size = 0;
+  for (;;) {
+    double longest = 0;
+    for (const std::string& line : lines) longest = std::max(longest, letters(line) * kBold);
+    // The corners of the text lie on the circle.
+    const double height = static_cast<double>(lines.size()) * kSpacing;
+    size = std::min(kLargest, width / std::hypot(longest, height));
+    if (size >= kLegible || lines.size() == 1) break;
+    lines.pop_back();
+  }
+  if (size < 2) return {};
+  std::string text;
+  double y = middle.y - (static_cast<double>(lines.size()) * kSpacing / 2 - 1) * size;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    text += svg::text({middle.x, std::round(y * 100) / 100}, std::round(size * 100) / 100,
+                      i == 0 ? " font-weight=\"bold\"" : "", lines[i]);
+    y += kSpacing * size;
+  }
+  return text;
+}
+
+/// The rooms beside the plan, as many as there is space for.
+std::string list_of(const Rooms& rooms, double left, double top, double bottom) {
+  const auto space = static_cast<std::size_t>(std::max(1.0, (bottom - top) / kLine - 1));
+  const std::vector<std::size_t> colours = room_colours(rooms);
+  std::string text;
+  const std::size_t shown =
+      rooms.rooms.size() <= space ? rooms.rooms.size() : std::max<std::size_t>(space, 2) - 1;
+  for (std::size_t r = 0; r < shown; ++r) {
+    const double y = top + kLine * static_cast<double>(r + 1);
+    text += fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"12\" height=\"12\" fill=\"{}\" stroke=\"{}\" "
+        "stroke-width=\"0.5\"/>\n",
+        left, y - 11, kColours[colours[r] % kColours.size()], svg::kInk);
+    text += svg::text({left + 46, y}, kWords, " text-anchor=\"end\"", std::to_string(r + 1));
+    constexpr double kNameLetters = 26;
+    text +=
+        svg::text({left + 56, y}, kWords, "", shortened(names_text(rooms.rooms[r]), kNameLetters));
+    text += svg::text({left + kListWidth, y}, kWords, " text-anchor=\"end\"",
+                      area_text(rooms, rooms.rooms[r].area));
+  }
+  if (shown < rooms.rooms.size()) {
+    text += svg::text({left + 56, top + kLine * static_cast<double>(shown + 1)}, kWords, "",
+                      fmt::format("\u2026 and {} more", rooms.rooms.size() - shown));
+  }
+  return text;
+}
+
+/// A bar of 1, 2 or 5 times a power of ten, in metres where the unit is known.
+std::string scale_bar(const Rooms& rooms, double scale, double left, double y) {
+  constexpr double kLongest = 240;
+  const double metres = rooms.unit ? nearest_double(rooms.unit->metres) : 1;
+  const double most = kLongest / scale * metres;
+  double length = std::pow(10, std::floor(std::log10(most)));
+  for (const double times : {5.0, 2.0}) {
+    if (times * length > most) continue;
+    length *= times;
+    break;
+  }
+  const double pixels = std::round(length / metres * scale * 100) / 100;
+  return fmt::format(
+             "<path fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" "
+             "d=\"M{} {}v-8v4h{}v-4v8\"/>\n",
+             svg::kInk, left, y + 4, pixels) +
+         svg::text({left + pixels + 10, y + 5}, kWords, "",
+                   shortest_text(length) + (rooms.unit ? " m" : " drawing units"));
+}
+
+std::string lines_of(const ExactComplex& complex, const svg::Frame& frame, double pen) {
+  constexpr std::size_t kPieces = 5000;  // edges of a path: viewers choke on very long ones
+  std::string text;
+  for (std::size_t first = 0; first < complex.edge_count(); first += kPieces) {
+    text += fmt::format(
+        "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
+        "stroke-linecap=\"round\" d=\"",
+        svg::kInk, shortest_text(pen));
+    for (std::size_t e = first; e < std::min(first + kPieces, complex.edge_count()); ++e) {
+      const auto [tail, head] = complex.edges[e];
+      text += fmt::format("M{}L{}", svg::coordinates(frame(complex.vertices.nearest(tail))),
+                          svg::coordinates(frame(complex.vertices.nearest(head))));
+    }
+    text += "\"/>\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string to_svg(const Rooms& rooms, const SegmentSet& input, const ExactComplex& complex) {
+  using namespace svg;
+  std::vector<PointD> points;
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
+    points.push_back(complex.vertices.nearest(v));
+  }
+  const Box content = widened(bounds(points), 0.01);
+  constexpr double kLeast = 400, kGreatest = 1500;
+  const double height =
+      std::clamp(kPlanWidth * content.height() / content.width(), kLeast, kGreatest);
+  const Box panel{{sheet::kMargin, kHead}, {sheet::kMargin + kPlanWidth, kHead + height}};
+  const Frame frame = sheet::frame(content, panel, input.y_up);
+  Rational sum;
+  for (const Room& room : rooms.rooms) sum += room.area;
+  const double left = panel.high.x + sheet::kMargin, bottom = panel.high.y;
+  std::string text = sheet::open(sheet::kWidth, kHead + height + kFoot);
+  text += svg::text(
+      {sheet::kMargin, 40}, 22, " font-weight=\"bold\"",
+      sheet::titled(input, fmt::format("{} rooms, {}", rooms.rooms.size(), area_text(rooms, sum))));
+  text += fills(rooms, complex, frame);
+  text += lines_of(complex, frame, sheet::pen(panel, complex.edge_count()));
+  text += "<g text-anchor=\"middle\">\n";
+  for (std::size_t r = 0; r < rooms.rooms.size(); ++r) text += words_in(rooms, r, frame);
+  text += "</g>\n" + list_of(rooms, left, kHead, bottom);
+  text += scale_bar(rooms, frame.scale, sheet::kMargin, bottom + 30);
+  text += fmt::format(
+      "<rect x=\"{0}\" y=\"{1}\" width=\"12\" height=\"12\" fill=\"{2}\" "
+      "stroke=\"{3}\" stroke-width=\"0.5\"/>\n",
+      left, bottom + 22, kNarrow, kInk);
+  text += svg::text({left + 22, bottom + 33}, kWords, "", "no room: narrow or small");
+  return text + "</svg>\n";
+}
+
+}  // namespace plumbline

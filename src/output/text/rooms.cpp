@@ -1,0 +1,121 @@
+// Rooms for a terminal: a table.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "output/text/rooms.hpp"
+#include "output/text/terminal.hpp"
+#include "plumbline/error.hpp"
+#include "plumbline/output.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr std::size_t kShown = 25;
+
+std::string counted(std::size_t count, const char* thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// The first so many bytes, of whole characters, or all of it.
+std::string cut(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  std::size_t end = most - 3;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
+  return text.substr(0, end) + "...";
+}
+
+std::string neighbours_text(const Room& room) {
+  std::string text;
+  for (const RoomNeighbour& next : room.neighbours) {
+    text += fmt::format("{}{}{}", text.empty() ? "" : " ", next.room + 1, next.door ? "d" : "");
+  }
+  return text;
+}
+
+std::string row(const Rooms& rooms, std::size_t r) {
+  constexpr std::size_t kWidest = 40, kWidestList = 24;
+  const Room& room = rooms.rooms[r];
+  return fmt::format("{:>5}  {:>12}  {:<40}  {:<24}  {}\n", r + 1, area_text(rooms, room.area),
+                     cut(line_text(fmt::format("{}", fmt::join(room.names, ", "))), kWidest),
+                     cut(neighbours_text(room), kWidestList),
+                     cut(line_text(fmt::format("{}", fmt::join(room.layers, ", "))), kWidestList));
+}
+
+/// "least width 0.5 m".
+std::string length_text(const Rooms& rooms, const Rational& length) {
+  if (!rooms.unit) return short_number(nearest_double(length));
+  return short_number(nearest_double(length * rooms.unit->metres)) + " m";
+}
+
+std::string left_out(const Rooms& rooms) {
+  std::string text;
+  if (rooms.narrow > 0) {
+    text += fmt::format("left out: {} not {} wide (walls; --min-width)\n",
+                        counted(rooms.narrow, "area"), length_text(rooms, rooms.min_width));
+  }
+  if (rooms.small > 0) {
+    text += fmt::format("left out: {} below {} (--min-area)\n", counted(rooms.small, "area"),
+                        area_text(rooms, rooms.min_area));
+  }
+  return text;
+}
+
+std::string outside(const Rooms& rooms, const SegmentSet& input) {
+  constexpr std::size_t kTexts = 4, kWidest = 24;
+  if (rooms.outside.empty()) return {};
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < std::min(rooms.outside.size(), kTexts); ++i) {
+    texts.push_back('"' + cut(line_text(input.labels[rooms.outside[i]].text), kWidest) + '"');
+  }
+  return fmt::format("{} in no room, or on a line: {}{}\n", counted(rooms.outside.size(), "text"),
+                     fmt::join(texts, ", "), rooms.outside.size() > kTexts ? ", ..." : "");
+}
+
+}  // namespace
+
+std::string area_text(const Rooms& rooms, const Rational& area) {
+  if (!rooms.unit) return short_number(nearest_double(area));
+  const Rational square = rooms.unit->metres * rooms.unit->metres;
+  return fmt::format("{:.2f} m2", nearest_double(area * square));
+}
+
+std::string to_text(const Rooms& rooms, const SegmentSet& input,
+                    std::optional<std::size_t> listed) {
+  Rational sum;
+  std::size_t named = 0;
+  for (const Room& room : rooms.rooms) {
+    sum += room.area;
+    if (!room.names.empty()) ++named;
+  }
+  std::string text = fmt::format("{}, {} with a name, {} in all\n",
+                                 counted(rooms.rooms.size(), "room"), named, area_text(rooms, sum));
+  text += rooms.unit ? fmt::format("a drawing unit is {} m{}\n", exact_text(rooms.unit->metres),
+                                   rooms.unit->name.empty() ? "" : " (" + rooms.unit->name + ")")
+                     : "areas in drawing units: the file does not say what they are (--unit mm)\n";
+  std::vector<std::size_t> shown(rooms.rooms.size());
+  for (std::size_t r = 0; r < shown.size(); ++r) shown[r] = r;
+  const std::size_t most = listed.value_or(kShown);
+  if (shown.size() > most) {
+    std::stable_sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) {
+      return rooms.rooms[a].area > rooms.rooms[b].area;
+    });
+    shown.resize(most);
+    std::sort(shown.begin(), shown.end());
+  }
+  if (!shown.empty()) {
+    text += fmt::format("{:>5}  {:>12}  {:<40}  {:<24}  {}\n", "room", "area", "name", "neighbours",
+                        "layers");
+  }
+  for (const std::size_t r : shown) text += row(rooms, r);
+  if (shown.size() < rooms.rooms.size()) {
+    text += fmt::format("  ... and {} smaller ones (--list N, -o rooms.csv)\n",
+                        rooms.rooms.size() - shown.size());
+  }
+  return text + left_out(rooms) + outside(rooms, input);
+}
+
+}  // namespace plumbline

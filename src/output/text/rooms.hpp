@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "plumbline/rooms.hpp"
+
+namespace plumbline {
+
+/// "12.50 m2"; in drawing units, six digits, where it is not known what they are.
+std::string area_text(const Rooms& rooms, const Rational& area);
+
+}  // namespace plumbline
