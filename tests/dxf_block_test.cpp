@@ -156,11 +156,8 @@ TEST_CASE("what a block has on layer 0 is seen as the layer of its insert is") {
   const std::string definitions =
       blocks({"IN 0 LINE 8 0 10 0 20 0 11 1 21 0 0 LINE 8 X 10 0 20 1 11 1 21 1",
               "OUT 0 LINE 8 0 10 0 20 2 11 1 21 2 0 INSERT 2 IN 8 0 10 0 20 5"});
-  plumbline::ReadOptions visible;
-  visible.visible_only = true;
   const auto segments = [&](const std::string& inserts) {
-    return segments_of(
-        evaluate(read_dxf(dxf_with(inserts, tables + definitions), "a.dxf", visible)));
+    return segments_of(evaluate(read_dxf(dxf_with(inserts, tables + definitions), "a.dxf")));
   };
   CHECK(segments("0 INSERT 2 OUT 8 W 10 0 20 0") == "0 2, 1 2\n0 5, 1 5\n0 6, 1 6\n");
   CHECK(segments("0 INSERT 2 OUT 8 OFF 10 0 20 0") == "0 6, 1 6\n");

@@ -119,11 +119,12 @@ TEST_CASE("meshes are grids, polyface meshes are the outlines of their faces") {
     faces.replace(at, 5, "70 192");
   }
   faces += "0 VERTEX 70 128 71 1 72 -2 73 4 ";
-  CHECK(drawn(dxf_with("0 POLYLINE 8 0 70 64 " + faces + "0 SEQEND")) ==
-        "0 0, 1 0\n1 0, 1 1\n1 1, 0 0\n");
-  plumbline::ReadOptions visible;
-  visible.visible_only = true;
-  CHECK(listing_of(dxf_with("0 POLYLINE 8 0 70 64 " + faces + "0 SEQEND"), visible) ==
+  plumbline::ReadOptions all;
+  all.hidden = true;
+  CHECK(listing_of(dxf_with("0 POLYLINE 8 0 70 64 " + faces + "0 SEQEND"), all) ==
+        "0 0, 1 0 | a.dxf:6 POLYLINE (0)\n1 0, 1 1 | a.dxf:6 POLYLINE (0)\n"
+        "1 1, 0 0 | a.dxf:6 POLYLINE (0)\n");
+  CHECK(listing_of(dxf_with("0 POLYLINE 8 0 70 64 " + faces + "0 SEQEND")) ==
         "0 0, 1 0 | a.dxf:6 POLYLINE (0)\n1 1, 0 0 | a.dxf:6 POLYLINE (0)\n"
         "rejected:\na.dxf:6 POLYLINE (0): hidden edge\n");
   CHECK(rejected(dxf_with("0 POLYLINE 8 0 70 64 0 VERTEX 70 128 71 9 72 1 0 SEQEND")) ==
@@ -164,11 +165,11 @@ TEST_CASE("z is left out and counted") {
 }
 
 TEST_CASE("what is not drawn is listed by kind, with counts") {
-  CHECK(listing_of(dxf_with("0 TEXT 8 N 1 hello 0 POINT 8 0 10 0 20 0 0 TEXT 8 N 1 you "
+  CHECK(listing_of(dxf_with("0 LEADER 8 N 1 hello 0 POINT 8 0 10 0 20 0 0 LEADER 8 N 1 you "
                             "0 FROBNICATE 8 0 0 LINE 67 1 8 0 10 0 20 0 11 1 21 1 "
                             "0 POLYLINE 67 1 0 VERTEX 67 1 10 0 20 0 0 SEQEND 67 1")) ==
         "rejected:\n"
-        "a.dxf:6 TEXT (N): annotation is not read (2 of them)\n"
+        "a.dxf:6 LEADER (N): annotation is not read (2 of them)\n"
         "a.dxf:12 POINT (0): points are not read\n"
         "a.dxf:26 FROBNICATE (0): not understood\n"
         "a.dxf:30 LINE (0): in paper space\n"
@@ -183,8 +184,9 @@ TEST_CASE("what is no line work is harmless; what may be is lost") {
              "0 VIEWPORT 0 LIGHT 0 CAMERA 0 SUN 0 GEOPOSITIONMARKER 0 LINE 67 1 0 LINE 8 0 10 1 20 "
              "1 11 1 21 1")
             .empty());
-  CHECK(lost("0 MLINE 0 XLINE 0 3DSOLID 0 REGION 0 ACAD_PROXY_ENTITY 0 FROBNICATE") ==
-        "MLINE XLINE 3DSOLID REGION ACAD_PROXY_ENTITY FROBNICATE ");
+  CHECK(lost("0 LINE 8 0 10 1 20 1 11 2 21 2 0 MPOLYGON 0 XLINE 0 3DSOLID 0 REGION 0 "
+             "ACAD_PROXY_ENTITY 0 FROBNICATE") ==
+        "MPOLYGON XLINE 3DSOLID REGION ACAD_PROXY_ENTITY FROBNICATE ");
   CHECK(lost("0 INSERT 8 0 2 none 0 CIRCLE 8 0 10 0 20 0 40 -1 0 LINE 8 0 10 0 20 0 11 1") ==
         "INSERT CIRCLE LINE ");
 }
@@ -228,25 +230,29 @@ TEST_CASE("data of applications and embedded objects are not taken for the entit
         "0 0, 1 1\n");
 }
 
-TEST_CASE("layers that are off or frozen and invisible entities are drawn unless asked otherwise") {
+TEST_CASE("layers that are off, frozen or not printed and invisible entities are left out") {
   const std::string text = dxf_with(
       "0 LINE 8 off 10 0 20 0 11 1 21 0 0 LINE 8 FROZEN 10 0 20 1 11 1 21 1 "
-      "0 LINE 8 Shown 10 0 20 2 11 1 21 2 0 LINE 8 Shown 60 1 10 0 20 3 11 1 21 3",
+      "0 LINE 8 Shown 10 0 20 2 11 1 21 2 0 LINE 8 Shown 60 1 10 0 20 3 11 1 21 3 "
+      "0 LINE 8 Aid 10 0 20 4 11 1 21 4 0 CIRCLE 8 Off 0 TEXT 8 off 1 x 0 LINE 8 defpoints 10 0",
       "0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 Off 62 -7 70 0 0 LAYER 2 Frozen 70 1 "
-      "62 7 0 LAYER 2 Shown 62 7 70 4 0 ENDTAB 0 ENDSEC");
+      "62 7 0 LAYER 2 Shown 62 5 70 4 0 LAYER 2 Aid 420 66051 290 0 0 LAYER 2 Defpoints 62 20 "
+      "0 ENDTAB 0 ENDSEC");
   CHECK(listing_of(text) ==
-        "0 0, 1 0 | a.dxf:42 LINE (Off)\n"
-        "0 1, 1 1 | a.dxf:54 LINE (Frozen)\n"
-        "0 2, 1 2 | a.dxf:66 LINE (Shown)\n"
-        "0 3, 1 3 | a.dxf:78 LINE (Shown)\n");
-  plumbline::ReadOptions visible;
-  visible.visible_only = true;
-  CHECK(listing_of(text, visible) ==
-        "0 2, 1 2 | a.dxf:66 LINE (Shown)\n"
+        "0 2, 1 2 | a.dxf:80 LINE (Shown)\n"
         "rejected:\n"
-        "a.dxf:42 LINE (Off): hidden: layer Off is off\n"
-        "a.dxf:54 LINE (Frozen): hidden: layer Frozen is frozen\n"
-        "a.dxf:78 LINE (Shown): hidden: marked as invisible\n");
+        "a.dxf:56 LAYER (Off): what is on layer Off, which is off (3 of them)\n"
+        "a.dxf:68 LAYER (Frozen): what is on layer Frozen, which is frozen\n"
+        "a.dxf:92 LINE (Shown): hidden: marked as invisible\n"
+        "a.dxf:106 LAYER (Aid): what is on layer Aid, which is not plotted\n"
+        "a.dxf:128 LAYER (Defpoints): what is on layer Defpoints, which is not plotted\n");
+  plumbline::ReadOptions all;
+  all.hidden = true;
+  CHECK(segments_of(evaluate(read_dxf(text, "a.dxf", all))) ==
+        "0 0, 1 0\n0 1, 1 1\n0 2, 1 2\n0 3, 1 3\n0 4, 1 4\n");
+  CHECK(
+      layers_of(evaluate(read_dxf(text, "a.dxf"))) ==
+      "Off - hidden\nFrozen - hidden\nShown 0000ff\nAid 010203 hidden\nDefpoints ff3f00 hidden\n");
 }
 
 TEST_CASE("names become UTF-8 by the code page, or as they are from AC1021 on") {
@@ -267,13 +273,11 @@ TEST_CASE("names become UTF-8 by the code page, or as they are from AC1021 on") 
 }
 
 TEST_CASE("the example plan is read whole: doors turned and mirrored, loops closed") {
-  plumbline::ReadOptions visible;
-  visible.visible_only = true;
-  const auto structure = plumbline::read(PLUMBLINE_EXAMPLES "/flat.dxf", visible);
+  const auto structure = plumbline::read(PLUMBLINE_EXAMPLES "/flat.dxf");
   const plumbline::SegmentSet set = evaluate(structure);
-  CHECK(rejected_of(set).ends_with("LINE (GRID): hidden: layer GRID is frozen\n" PLUMBLINE_EXAMPLES
-                                   "/flat.dxf:376 TEXT (WALLS): annotation is not read\n"));
-  CHECK(set.rejected.size() == 2);
+  CHECK(rejected_of(set).find("LAYER (GRID): what is on layer GRID, which is frozen") !=
+        std::string::npos);
+  CHECK(set.rejected.size() == 1);
   const std::string segments = segments_of(set);
   CHECK(segments.find("6 3.2, 5.1 3.2\n") != segments.npos);  // the leaf of the turned door
   CHECK(segments.find("2.9 4, 2.9 4.9\n") != segments.npos);  // and of the mirrored one

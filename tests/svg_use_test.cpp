@@ -14,9 +14,9 @@ constexpr const char* kRoot =
     "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' "
     "viewBox='0 0 200 100'>\n";
 
-Structure structure(const std::string& content, bool visible_only = false) {
+Structure structure(const std::string& content, bool hidden = false) {
   ReadOptions options;
-  options.visible_only = visible_only;
+  options.hidden = hidden;
   return read_svg(kRoot + content + "</svg>", "a.svg", options);
 }
 
@@ -69,8 +69,8 @@ TEST_CASE("a use that leads nowhere is rejected") {
         "a.svg:2:1 use: use of another file: other.svg#a\n");
   CHECK(rejected("<clipPath id='c'/><use id='u' href='#c'/>") ==
         "a.svg:2:1 clipPath #c (u): use of an element that is not drawn\n");
-  CHECK(rejected("<defs><text id='t'/></defs><use id='u' href='#t'/>") ==
-        "a.svg:2:7 text #t (u): element text is not understood yet\n"
+  CHECK(rejected("<defs><image id='t'/></defs><use id='u' href='#t'/>") ==
+        "a.svg:2:7 image #t (u): element image is not understood yet\n"
         "a.svg:2:1 defs: not drawn directly\n");
 }
 
@@ -187,43 +187,41 @@ TEST_CASE("a use gives a nested svg its extents") {
         "0 0, 1 0\n0 0, 30 0\n");
 }
 
-TEST_CASE("what is hidden is drawn, or rejected where only the visible counts") {
+TEST_CASE("what is hidden is left out and counted by groups, or drawn where that is asked for") {
   const std::string content =
-      "<g id='a' display='none'>\n<line x2='1'/></g>\n"
+      "<g id='a' display='none'>\n<line x2='1'/><g><text/><rect/></g></g>\n"
       "<g id='b' style='fill:red; display : none'><line x2='2'/></g>\n"
       "<g id='c' visibility='hidden'><line x2='3'/>\n<line x2='4' visibility='visible'/></g>\n"
       "<g id='d' display='inline' style='visibility:collapse;visibility:visible !important'>"
-      "<line x2='5'/></g>";
-  CHECK(segments(content) == "0 0, 1 0\n0 0, 2 0\n0 0, 3 0\n0 0, 4 0\n0 0, 5 0\n");
-  CHECK(rejected(content).empty());
-  const SegmentSet visible = evaluate(structure(content, true));
+      "<line x2='5'/></g><g display='none'/>";
+  const SegmentSet visible = drawn(content);
   CHECK(segments_of(visible) == "0 0, 4 0\n0 0, 5 0\n");
   CHECK(rejected_of(visible) ==
-        "a.svg:2:1 g #a: hidden: display: none\n"
-        "a.svg:4:1 g #b: hidden: display: none\n"
+        "a.svg:2:1 g #a: hidden (4 of them): display: none\n"
         "a.svg:5:31 line (c): hidden: visibility: hidden\n");
+  const SegmentSet all = evaluate(structure(content, true));
+  CHECK(segments_of(all) == "0 0, 1 0\n0 0, 2 0\n0 0, 3 0\n0 0, 4 0\n0 0, 5 0\n");
 }
 
 TEST_CASE("the style counts before the attribute, and a root may be hidden") {
-  CHECK(segments_of(evaluate(structure(
-            "<g display='none' style='display:inline'><line x2='1'/></g>", true))) == "0 0, 1 0\n");
-  ReadOptions options;
-  options.visible_only = true;
-  CHECK(rejected_of(evaluate(read_svg("<svg display='none'><line x2='1'/></svg>", "a.svg",
-                                      options))) == "a.svg:1:1 svg: hidden: display: none\n");
+  CHECK(segments("<g display='none' style='display:inline'><line x2='1'/></g>") == "0 0, 1 0\n");
+  CHECK(rejected_of(evaluate(read_svg("<svg display='none'><line x2='1'/></svg>", "a.svg"))) ==
+        "a.svg:1:1 svg: hidden: display: none\n");
 }
 
 TEST_CASE("hidden definitions are drawn by a visible use, visible ones not by a hidden use") {
   const std::string content =
       "<g display='none'><line id='l' x2='1'/></g><use href='#l' x='10'/>"
       "<g visibility='hidden'><use id='h' href='#l' x='20'/></g>";
-  CHECK(segments_of(evaluate(structure(content, true))) == "10 0, 11 0\n");
+  CHECK(segments(content) == "10 0, 11 0\n");
 }
 
-TEST_CASE("Inkscape's layers are Structs of category layer") {
-  const Structure s = structure(
-      "<g id='g1' inkscape:groupmode='layer' inkscape:label='Walls' "
-      "xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape'/>");
+TEST_CASE("Inkscape's layers are Structs of category layer and declared") {
+  const std::string of_inkscape = "xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape'/>";
+  const Structure s =
+      structure("<g id='g1' inkscape:groupmode='layer' inkscape:label='Walls' " + of_inkscape +
+                "<g id='g2' inkscape:groupmode='layer' style='display:none' " + of_inkscape);
   CHECK(s.structs.at(1).name == "Walls");
   CHECK(s.structs.at(1).category == "layer");
+  CHECK(layers_of(evaluate(s)) == "Walls -\ng2 - hidden\n");
 }

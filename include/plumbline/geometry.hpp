@@ -111,6 +111,10 @@ class SegmentList {
   void reserve(std::size_t count) { numbers_.reserve(4 * count); }
   void push_back(Segment segment);
   void push_back(NumberPoint a, NumberPoint b);
+  /// Keeps the first `count`. Requires: count <= size().
+  void truncate(std::size_t count) {
+    numbers_.erase(numbers_.begin() + static_cast<std::ptrdiff_t>(4 * count), numbers_.end());
+  }
 
   friend bool operator==(const SegmentList&, const SegmentList&) = default;
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "plumbline/structure.hpp"
 
@@ -28,8 +29,18 @@ struct ReadOptions {
   Rational chord_tolerance = 0;
   /// Bound on the deviation of angles whose sine and cosine are not rational, in radians.
   double angle_bound = kAngleBound;
-  /// Whether elements that the drawing hides are `rejected`; else they are drawn.
-  bool visible_only = false;
+  /// Whether elements that the drawing hides (on layers that are off, frozen or not printed;
+  /// `display: none`) are drawn; else they are `rejected`, by layers and with counts.
+  bool hidden = false;
+  /// Patterns of the layers that are read, all where there are none, and of those that are not: `*`
+  /// stands for any characters, `?` for one, letters of ASCII for either case. Of SVG also ids and
+  /// labels of elements and of what is above them. A pattern that nothing matches is an error.
+  std::vector<std::string> layers = {}, without_layers = {};
+  /// Whether the boundaries of a DXF's hatches are drawn, on layers of their own: "WALLS HATCH" for
+  /// those on "WALLS".
+  bool hatches = false;
+  /// The property of GeoJSON features that names their layer, in any case.
+  std::string layer_property = "layer";
   /// Whether curves of the drawing may be joined to what they meet, as `evaluate` does it; else
   /// they stay where the file's numbers have them.
   bool join_curves = true;
@@ -55,14 +66,18 @@ Structure read(const std::filesystem::path& file, const ReadOptions& options = {
 /// SVG text as a Structure. `g`, `a`, nested `svg`, `symbol` and `use` become Structs named by
 /// their inkscape:label or id, of their inkscape:groupmode as category; what a `use` refers to is
 /// stored once. Shapes become Models; curves are chords between exact points of the curve, as the
-/// ledger lists. Coordinates are user units of the root's viewBox, y downwards, as in the file: its
-/// width, height and transform, which map them to a page, are not applied. Transforms, viewports
-/// and units are exact, an inch being 96 user units. `rejected` lists by name and line every
-/// element that is not understood (text, image, ...), not drawn or not used, and what follows an
-/// error in path data; `remarks` clipping viewports and style sheets, which are not applied.
-/// Neither interpreted nor listed: clip-path, markers, style sheets that neither place nor hide,
-/// animation. Columns count bytes of UTF-8. No recursion: depth is limited by memory only. Throws:
-/// Error BadInput for malformed XML, a root other than `svg` and a cycle of references; Limit.
+/// ledger lists. Labels: a `text` at its x and y; of a shape its `title`, else its inkscape:label,
+/// else its id unless programs make such (path12, svg_3, _7; `is_generated_id`). Layers are groups
+/// of groupmode "layer". Coordinates are user units of the root's viewBox, y downwards, as in the
+/// file: its width, height and transform, which map them to a page, are not applied; a width or
+/// height in mm, cm, Q, in, pt or pc tells what a user unit is. Transforms, viewports and units are
+/// exact, an inch being 96 user units. `rejected` lists by name and line every element that is not
+/// understood (image, ...), not drawn or not used, and what follows an error in path data, and
+/// counts what is hidden; `remarks` clipping viewports, clip-paths, masks and style sheets, which
+/// are not applied. Neither interpreted nor listed: markers, style sheets that neither place nor
+/// hide, animation. Columns count bytes of UTF-8. No recursion: depth is limited by memory only.
+/// Throws: Error BadInput for malformed XML, a root other than `svg` and a cycle of references;
+/// Limit.
 Structure read_svg(std::string_view text, const std::string& file_name,
                    const ReadOptions& options = {});
 
@@ -71,11 +86,15 @@ Structure read_svg(std::string_view text, const std::string& file_name,
 /// of category "block"; an INSERT refers to it below its map, an array once per copy. What a block
 /// has on layer "0" is in the block's own Struct and so belongs to the layer of the INSERT. Models:
 /// LINE, LWPOLYLINE, POLYLINE (with bulges, in space, meshes), ARC, CIRCLE, ELLIPSE, SPLINE (by
-/// control points), 3DFACE, SOLID, TRACE; the projection along z. Coordinates are drawing units, y
-/// upwards; line weights, widths and thickness are ignored. `rejected` lists with their places what
-/// is malformed, missing or extruded in another direction than z, and per kind with counts what is
-/// not drawn: other entities, the paper space, with `visible_only` what is hidden (entities and
-/// edges marked so, layers that are off or frozen); `remarks` z coordinates, which are left out.
+/// control points), MLINE, 3DFACE, SOLID, TRACE, with `hatches` HATCH; the projection along z.
+/// Labels: TEXT, MTEXT, ATTRIB and constant ATTDEF without their formatting, at the point that the
+/// file has: that of alignment, or of insertion. Layers have the colours of the table but for
+/// colour 7, white or black; hidden are those that are off, frozen or not plotted, as Defpoints
+/// is. The unit is that of $INSUNITS. Coordinates are drawing units, y upwards; line weights,
+/// widths and thickness are ignored. `rejected` lists with their places what is malformed, missing
+/// or extruded in another direction than z, and per kind with counts what is not drawn: other
+/// entities, the paper space, what is hidden (entities and edges marked so; layers, one item each);
+/// `remarks` z coordinates, which are left out.
 /// The ledger lists, per kind, curves by their chords and angles by rational rotations.
 /// Source::line is the line of the entity's name; in a binary DXF, of its text form with two lines
 /// per group. No recursion. Throws: Error BadInput, with its line, for text that is no sequence of
@@ -100,10 +119,12 @@ Structure read_lines(std::string_view text, const std::string& file_name,
 // further reason is listed once, with a count.
 
 /// GeoJSON (RFC 7946): any object, GeometryCollections of any depth. Sources are named by the id of
-/// the feature, else by its property id or name, in any case. `rejected` lists a feature or
-/// geometry that breaks the format. Throws: Error BadInput for what is not JSON, and for a document
-/// without a known type, with a member twice or with the contents of two types in one object;
-/// Limit.
+/// the feature, else by its property id or name, in any case. The first of its properties name,
+/// label, title, room, room_name, roomname and text that is a string is the label of its polygons,
+/// and at its points, which are listed otherwise; ReadOptions::layer_property names its layer.
+/// `rejected` lists a feature or geometry that breaks the format. Throws: Error BadInput for what
+/// is not JSON, and for a document without a known type, with a member twice or with the contents
+/// of two types in one object; Limit.
 Structure read_geojson(std::string_view text, const std::string& file_name,
                        const ReadOptions& options = {});
 

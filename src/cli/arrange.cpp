@@ -13,6 +13,18 @@
 namespace plumbline::cli {
 namespace {
 
+/// Each as an option, in quotes for a shell.
+std::string quoted_options(const std::string& name, const std::vector<std::string>& values) {
+  std::string options;
+  for (const std::string& value : values) {
+    options += " " + name + " '";
+    for (const char c : line_text(value))
+      options += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    options += "'";
+  }
+  return options;
+}
+
 /// The options with which a drawing becomes the same segments again.
 std::string reading_options(const ReadOptions& reading) {
   std::string options;
@@ -23,7 +35,14 @@ std::string reading_options(const ReadOptions& reading) {
     options += " --angle " + shortest_text(reading.angle_bound);
   }
   if (!reading.join_curves) options += " --keep-curves";
-  if (reading.visible_only) options += " --visible";
+  if (reading.shortest_decimals) options += " --shortest-decimals";
+  if (reading.hidden) options += " --hidden";
+  if (reading.hatches) options += " --hatches";
+  options += quoted_options("--layers", reading.layers);
+  options += quoted_options("--without-layers", reading.without_layers);
+  if (reading.layer_property != ReadOptions().layer_property) {
+    options += quoted_options("--layer-property", {reading.layer_property});
+  }
   return options;
 }
 

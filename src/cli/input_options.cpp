@@ -115,6 +115,46 @@ void add_common(CLI::App& command, CommonArguments& arguments) {
       ->type_name("SECONDS");
 }
 
+namespace {
+
+void add_layers(CLI::App& command, InputArguments& arguments) {
+  command.option_defaults()->group("Layers");
+  ReadOptions& reading = arguments.reading;
+  command
+      .add_option(
+          "--layers", reading.layers,
+          "Read these layers only: names with * and ?, in any case, several with commas; of "
+          "SVG also ids and labels of groups and shapes; of GeoJSON what --layer-property "
+          "says")
+      ->delimiter(',')
+      ->type_name("GLOB");
+  command.add_option("--without-layers", reading.without_layers, "Leave these layers out")
+      ->delimiter(',')
+      ->type_name("GLOB");
+  command
+      .add_option("--layer-property", reading.layer_property,
+                  "The property of GeoJSON features that names their layer [default: layer]")
+      ->type_name("NAME");
+  command.add_flag("--hidden", reading.hidden,
+                   "Also draw what the drawing hides: layers that are off, frozen or not printed, "
+                   "what is not displayed; else it is left out and listed");
+  command.add_flag(
+      "--hatches", reading.hatches,
+      "Also draw the boundaries of a DXF's hatches, each on a layer of its own: that of "
+      "the hatch with \" HATCH\" behind its name");
+  command
+      .add_flag_callback(
+          "--visible",
+          [&] {
+            arguments.notes.emplace_back(
+                "--visible has no effect now: what is hidden is left out unless --hidden is given");
+          },
+          "")
+      ->group("");
+}
+
+}  // namespace
+
 void add_file(CLI::App& command, InputArguments& arguments, const char* what) {
   command
       .add_option_function<std::string>(
@@ -158,8 +198,6 @@ void add_reading(CLI::App& command, InputArguments& arguments) {
       "--shortest-decimals", arguments.reading.shortest_decimals,
       "Read what a program printed of a double as the decimal of at most 12 digits next to it, "
       "where there is one: 420.34000000000003 as 420.34; the ledger counts them");
-  command.add_flag("--visible", arguments.reading.visible_only,
-                   "Leave out, and list, what the drawing hides; else it is drawn");
   command.add_flag("--lenient", arguments.lenient,
                    "Go on without what looks like geometry and cannot be read, also where nothing "
                    "can; without it that is an error, exit code 2 (check: the exit code is then "
@@ -170,6 +208,7 @@ void add_reading(CLI::App& command, InputArguments& arguments) {
                   "or cells), repetitions of what is stored once counted [default: any number]")
       ->check(integer(0))
       ->type_name("N");
+  add_layers(command, arguments);
   add_common(command, arguments);
 }
 

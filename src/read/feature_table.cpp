@@ -36,13 +36,15 @@ FeatureTable::FeatureTable(const std::string& file_name, const FeatureOptions& o
     : geometries_(options.geometries),
       numbers_(options.shortest_decimals),
       budget_(options.max_segments, "segments"),
-      files_{file_name} {}
+      files_{file_name},
+      choice_(options.layers, options.without_layers) {}
 
 void FeatureTable::begin_feature() {
   part_count_ = 0;
   parts_.clear();
+  points_.clear();
   for (auto table = open_.begin(); table != open_.end();) {
-    table->rows_before_feature = table->model.rows.size();
+    table->before_feature = size_of(table->model);
     if (table->model.segments.size() >= kFullTable) {
       full_.push_back(std::move(table->model));
       table = open_.erase(table);
@@ -52,7 +54,8 @@ void FeatureTable::begin_feature() {
   }
 }
 
-void FeatureTable::name_feature(std::string_view id) {
+void FeatureTable::name_feature(std::string_view id, std::string_view label) {
+  add_label(label);
   if (part_count_ > 1) {
     const std::string prefix = id.empty() ? std::string() : line_of(id) + "/";
     for (const Part& part : parts_) {
@@ -65,12 +68,75 @@ void FeatureTable::name_feature(std::string_view id) {
   if (id.empty()) return;
   for (Table& table : open_) {
     Model& model = table.model;
-    if (table.rows_before_feature == model.rows.size()) continue;
+    if (table.before_feature.rows == model.rows.size()) continue;
     model.row_ids.push_back(line_of(id));
-    for (std::size_t i = table.rows_before_feature; i < model.rows.size(); ++i) {
+    for (std::size_t i = table.before_feature.rows; i < model.rows.size(); ++i) {
       model.rows[i].id = static_cast<std::uint32_t>(model.row_ids.size());
     }
   }
+}
+
+void FeatureTable::add_label(std::string_view label) {
+  for (const Points& item : points_) {
+    if (label.empty() || geometries_ != nullptr) {
+      refuse_points(item.element, item.place, item.points.size());
+      continue;
+    }
+    ++part_count_;
+    const std::size_t index = table(item.element);
+    Model& model = open_[index].model;
+    parts_.push_back({index, model.rows.size(), part_count_});
+    for (const NumberPoint& place : item.points) {
+      model.labels.push_back(
+          {line_of(label), place, static_cast<std::uint32_t>(model.rows.size())});
+    }
+    add_row(model, item.place, 0);
+  }
+  if (label.empty()) return;
+  for (Table& table : open_) {
+    if (!table.model.source.element.ends_with("Polygon")) continue;
+    for (std::size_t i = table.before_feature.rows; i < table.model.rows.size(); ++i) {
+      table.model.labels.push_back({line_of(label), {}, static_cast<std::uint32_t>(i)});
+    }
+  }
+}
+
+void FeatureTable::place_feature(std::string_view layer) {
+  const std::string name = line_of(layer);
+  const bool is_taken = choice_.takes(name);
+  if (is_taken && name.empty()) return;
+  for (Table& table : open_) {
+    if (table.before_feature.rows == table.model.rows.size()) continue;
+    Model part = split_off(table.model, table.before_feature);
+    part.source.layer = name;
+    if (is_taken) {
+      append(table_of_layer(part.source), part);
+    } else {
+      count_left_out(name, part);
+    }
+  }
+}
+
+void FeatureTable::count_left_out(const std::string& layer, const Model& dropped) {
+  LeftOut& left_out = left_out_[layer];
+  if (left_out.count == 0) {
+    const Model::Row& row = dropped.rows.front();
+    left_out.first = {0, row.line, row.column, dropped.source.element, {}, {}, layer};
+  }
+  left_out.count += dropped.rows.size();
+}
+
+/// The open table of this element and layer.
+Model& FeatureTable::table_of_layer(const Source& source) {
+  const auto [found, is_new] =
+      layered_index_.try_emplace({source.element, source.layer}, layered_.size());
+  if (is_new) layered_.emplace_back().source = source;
+  Model& model = layered_[found->second];
+  if (model.segments.size() >= kFullTable) {
+    full_.push_back(std::exchange(model, Model{}));
+    model.source = source;
+  }
+  return model;
 }
 
 std::size_t FeatureTable::table(std::string_view element) {
@@ -205,6 +271,11 @@ void FeatureTable::add_segment(std::string_view element, const Place& place, Num
   add_row(model, place, 1);
 }
 
+void FeatureTable::add_points(std::string_view element, const Place& place,
+                              const Polylines& points) {
+  points_.push_back({line_of(element), place, points.points});
+}
+
 void FeatureTable::refuse_points(std::string_view element, const Place& place, std::size_t count) {
   refuse(element, place, {"isolated points are not drawn", count_of(count, "point"), true});
 }
@@ -249,6 +320,11 @@ Structure FeatureTable::finish() && {
     remarks_.add(first_with_other_coordinates_, "coordinates beyond x and y are not used",
                  count_of(with_other_coordinates_, "element") + " from here on");
   }
+  choice_.check(structure.files[0]);
+  for (const auto& [layer, left_out] : left_out_) {
+    rejections_.add(left_out.first, "left out as asked: what is on layer " + layer,
+                    count_of(left_out.count, "element"), true);
+  }
   structure.rejected = std::move(rejections_).finish();
   for (Rejected& item : std::move(remarks_).finish()) {
     structure.remarks.push_back(
@@ -256,12 +332,13 @@ Structure FeatureTable::finish() && {
   }
   numbers_.add_to(structure.ledger);
   auto& body = structure.structs[0].body;
-  body.reserve(full_.size() + open_.size() +
+  body.reserve(full_.size() + open_.size() + layered_.size() +
                models_.size());  // growing would copy: Affine has no noexcept move
   for (Model& model : full_) body.emplace_back(std::move(model));
   for (Table& table : open_) {
-    if (!table.model.segments.empty()) body.emplace_back(std::move(table.model));
+    if (!table.model.rows.empty()) body.emplace_back(std::move(table.model));
   }
+  for (Model& model : layered_) body.emplace_back(std::move(model));
   for (LarModel& model : models_) body.emplace_back(std::move(model));
   return structure;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,8 @@
 #include "plumbline/structure.hpp"
 #include "read/attribute.hpp"
 #include "read/geometries.hpp"
+#include "read/layer_choice.hpp"
+#include "read/model_tail.hpp"
 #include "read/rejections.hpp"
 #include "structure/words.hpp"
 
@@ -43,8 +46,12 @@ class FeatureTable {
   /// What is added from here on belongs to one feature.
   void begin_feature();
   /// Ends the feature: what was added since begin_feature gets its id, parts of several "id/1",
-  /// "id/2", ..., or their numbers where there is no id.
-  void name_feature(std::string_view id);
+  /// "id/2", ..., or their numbers where there is no id. A label names its polygons and stands at
+  /// its points, of which those without are refused.
+  void name_feature(std::string_view id, std::string_view label = {});
+  /// Ends it, after that, with its layer, where the format has layers: what is on others than the
+  /// options ask for is dropped.
+  void place_feature(std::string_view layer);
   /// Adds an element for each line. Lines of one point are refused.
   void add_lines(std::string_view element, const Place& place, const Polylines& lines);
   /// The same for each polygon of rings, which are drawn as they are; those that are not closed are
@@ -52,6 +59,8 @@ class FeatureTable {
   void add_rings(std::string_view element, const Place& place, const Polylines& rings);
   /// An element that is one segment.
   void add_segment(std::string_view element, const Place& place, NumberPoint a, NumberPoint b);
+  /// Points that a label of the feature may stand at.
+  void add_points(std::string_view element, const Place& place, const Polylines& points);
   /// Lists isolated points, which no reader draws.
   void refuse_points(std::string_view element, const Place& place, std::size_t count);
   void refuse(std::string_view element, const Place& place, const Unusable& problem,
@@ -80,7 +89,7 @@ class FeatureTable {
   /// An open table, and how much of it was there before the feature.
   struct Table {
     Model model;
-    std::size_t rows_before_feature = 0;
+    TableSize before_feature;
   };
 
   /// A part of the feature that has a row.
@@ -90,6 +99,21 @@ class FeatureTable {
     std::size_t number;  ///< from 1
   };
 
+  /// Points of the feature.
+  struct Points {
+    std::string element;
+    Place place;
+    std::vector<NumberPoint> points;
+  };
+  /// What is not read of a layer.
+  struct LeftOut {
+    Source first;
+    std::size_t count = 0;
+  };
+
+  void add_label(std::string_view label);
+  Model& table_of_layer(const Source& source);
+  void count_left_out(const std::string& layer, const Model& dropped);
   std::size_t table(std::string_view element);
   void add_parts(std::string_view element, const Place& place, const Polylines& lines,
                  const std::vector<std::size_t>& part_ends, bool are_rings);
@@ -107,6 +131,11 @@ class FeatureTable {
   std::vector<Table> open_;
   std::size_t part_count_ = 0;  ///< of the feature
   std::vector<Part> parts_;     ///< those of them that are drawn
+  std::vector<Points> points_;  ///< of the feature
+  LayerChoice choice_;
+  std::vector<Model> layered_;  ///< tables of one layer
+  std::map<std::pair<std::string, std::string>, std::size_t> layered_index_;  ///< element, layer
+  std::map<std::string, LeftOut> left_out_;                                   ///< by layer
   std::vector<Model> full_;
   std::vector<LarModel> models_;
   Rejections rejections_, remarks_;

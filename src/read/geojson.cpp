@@ -7,6 +7,7 @@
 
 #include "read/geojson_coordinates.hpp"
 #include "read/geojson_crs.hpp"
+#include "read/geojson_properties.hpp"
 #include "read/streams.hpp"
 
 namespace plumbline {
@@ -87,7 +88,7 @@ struct Level {
 class GeoJsonReader {
  public:
   GeoJsonReader(ByteStream& bytes, const FeatureOptions& options)
-      : bytes_(bytes), table_(bytes.file(), options) {}
+      : bytes_(bytes), table_(bytes.file(), options), properties_(options.layer_property) {}
 
   Structure read() && {
     parse_json(bytes_, *this);
@@ -99,10 +100,7 @@ class GeoJsonReader {
   void key(std::string_view name) {
     if (ignored_ > 0) return;
     if (crs_.is_open()) return crs_.key(name);
-    if (in_properties_) {
-      property_ = property_of(name);
-      return;
-    }
+    if (in_properties_) return properties_.key(name);
     Level& level = levels_.back();
     member_ = member_of(name);
     if (is_misplaced(member_, level.slot)) member_ = kOther;
@@ -119,7 +117,7 @@ class GeoJsonReader {
     if (ignored_ > 0) return;
     if (crs_.is_open()) return crs_.scalar(kind, text);
     if (in_coordinates_) return coordinates_.scalar(kind, text, numbers_);
-    if (in_properties_) return keep_property(kind, text);
+    if (in_properties_) return properties_.scalar(kind, text);
     if (levels_.empty()) fail("not a GeoJSON object");
     const Level& level = levels_.back();
     if (level.is_array) return refuse_element(level.slot, text);
@@ -152,7 +150,6 @@ class GeoJsonReader {
     if (member_ == kCoordinates) coordinates_.refuse("coordinates are not an array", {});
     if (member_ == kProperties) {
       in_properties_ = true;
-      property_ = Property::Other;
       return;
     }
     ignore();
@@ -203,20 +200,8 @@ class GeoJsonReader {
   }
 
  private:
-  enum class Property { Other, Name, Id };
-
   static bool has_text(JsonScalar kind) {
     return kind == JsonScalar::String || kind == JsonScalar::Number;
-  }
-
-  static Property property_of(std::string_view name) {
-    const auto is = [name](std::string_view lower) {
-      return std::equal(name.begin(), name.end(), lower.begin(), lower.end(), [](char c, char l) {
-        return c == l || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == l);
-      });
-    };
-    if (is("id")) return Property::Id;
-    return is("name") ? Property::Name : Property::Other;
   }
 
   static bool is_misplaced(Member member, Slot slot) {
@@ -230,12 +215,6 @@ class GeoJsonReader {
   [[noreturn]] void fail(const std::string& message) { bytes_.fail("not GeoJSON: " + message); }
 
   void ignore() { ++ignored_; }
-
-  void keep_property(JsonScalar kind, std::string_view text) {
-    if (!has_text(kind)) return;
-    if (property_ == Property::Id) property_id_ = text;
-    if (property_ == Property::Name) property_name_ = text;
-  }
 
   void set_type(JsonScalar kind, std::string_view text) {
     Level& level = levels_.back();
@@ -256,8 +235,7 @@ class GeoJsonReader {
     if (slot != Slot::Geometry) {
       table_.begin_feature();
       feature_id_.clear();
-      property_id_.clear();
-      property_name_.clear();
+      properties_.clear();
     }
     coordinates_.clear();
     unknown_type_.clear();
@@ -280,7 +258,10 @@ class GeoJsonReader {
                     id());
     }
     if (level.slot == Slot::Geometry) return;
-    if (level.type == nullptr || level.type->content != kFeatures) table_.name_feature(id());
+    if (level.type == nullptr || level.type->content != kFeatures) {
+      table_.name_feature(id(), properties_.label());
+      table_.place_feature(properties_.layer());
+    }
     feature_place_ = {};
   }
 
@@ -291,10 +272,7 @@ class GeoJsonReader {
     }
   }
 
-  const std::string& id() const {
-    if (!feature_id_.empty()) return feature_id_;
-    return property_id_.empty() ? property_name_ : property_id_;
-  }
+  const std::string& id() const { return feature_id_.empty() ? properties_.id() : feature_id_; }
 
   /// Draws the geometry of the object that has been read. What it contains has been drawn.
   void draw(const Level& level) {
@@ -321,7 +299,7 @@ class GeoJsonReader {
     const std::string_view name = type.name;
     if (coordinates_.has_other_coordinates()) table_.note_other_coordinates(name, place);
     if (name.ends_with("Point")) {
-      table_.refuse_points(name, place, coordinates_.lines().points.size());
+      table_.add_points(name, place, coordinates_.lines());
     } else if (name.ends_with("Polygon")) {
       table_.add_rings(name, place, coordinates_.lines());
     } else {
@@ -351,9 +329,9 @@ class GeoJsonReader {
   GeoJsonCrs crs_;
   bool in_coordinates_ = false;
   bool in_properties_ = false;
-  Property property_ = Property::Other;
+  GeoJsonProperties properties_;
   Place feature_place_;  ///< line 0 outside of a Feature
-  std::string feature_id_, property_id_, property_name_, unknown_type_;
+  std::string feature_id_, unknown_type_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "plumbline/structure.hpp"
@@ -20,7 +21,9 @@ struct Geometries {
 struct FeatureOptions {
   Geometries* geometries = nullptr;       ///< where lines and polygons go; none: to the Structure
   std::size_t max_segments = kAnyNumber;  ///< of the Structure
-  bool shortest_decimals = false;         ///< as ReadOptions has it
+  bool shortest_decimals = false;         ///< as ReadOptions has it, and what follows
+  std::vector<std::string> layers = {}, without_layers = {};
+  std::string layer_property = "layer";
 };
 
 }  // namespace plumbline

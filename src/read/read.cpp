@@ -10,6 +10,7 @@
 #include "read/gzip.hpp"
 #include "read/input_file.hpp"
 #include "read/json_kind.hpp"
+#include "read/layer_choice.hpp"
 #include "read/line_list.hpp"
 #include "read/streams.hpp"
 
@@ -102,6 +103,12 @@ Structure read_streamed(const Input& input, const ReadOptions& options, FeatureR
   return reader(bytes, feature_options(options));
 }
 
+/// For formats without layers. Throws: Error BadInput where some are asked for.
+Structure without_layers(Structure structure, const ReadOptions& options) {
+  LayerChoice(options.layers, options.without_layers).check(structure.files.at(0));
+  return structure;
+}
+
 Structure read_json(const Input& input, const ReadOptions& options) {
   ByteStream beginning = input.stream();
   switch (json_kind(beginning)) {
@@ -115,7 +122,7 @@ Structure read_json(const Input& input, const ReadOptions& options) {
     }
     case JsonKind::Struct: {
       ByteStream bytes = input.stream();
-      return read_struct_json(bytes, options);
+      return without_layers(read_struct_json(bytes, options), options);
     }
     case JsonKind::Arrangement:
     case JsonKind::LarTrace:
@@ -140,7 +147,9 @@ Structure read(const fs::path& file, const ReadOptions& options) {
   if (format == "svg") return read_svg(input.text(), name, options);
   if (format == "svgz") return read_svgz(input, options);
   if (format == "dxf") return read_dxf(input.text(), name, options);
-  if (format == "lines") return read_lines(input.text(), name, options);
+  if (format == "lines") {
+    return without_layers(read_lines(input.text(), name, options), options);
+  }
   if (format == "json") return read_json(input, options);
   if (format == "geojson") return read_streamed(input, options, read_geojson);
   if (format == "wkt") return read_streamed(input, options, read_wkt);

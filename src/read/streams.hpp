@@ -7,7 +7,8 @@
 namespace plumbline {
 
 inline FeatureOptions feature_options(const ReadOptions& options) {
-  return {nullptr, options.max_segments, options.shortest_decimals};
+  return {nullptr,        options.max_segments,   options.shortest_decimals,
+          options.layers, options.without_layers, options.layer_property};
 }
 
 /// The readers of read.hpp that need no more than a part of the text at a time, on any stream.

@@ -42,6 +42,32 @@ inline std::string lost_of(const SegmentSet& set) {
   return text;
 }
 
+/// The layers that a file declares, each with its colour and whether it is hidden.
+inline std::string layers_of(const SegmentSet& set) {
+  std::string text;
+  for (const Layer& layer : set.layers) {
+    std::string rgb = "-";
+    if (layer.rgb) {
+      rgb.clear();
+      for (int shift = 20; shift >= 0; shift -= 4) {
+        rgb += "0123456789abcdef"[*layer.rgb >> static_cast<unsigned>(shift) & 15U];
+      }
+    }
+    text += layer.name + " " + rgb + (layer.hidden ? " hidden\n" : "\n");
+  }
+  return text;
+}
+
+/// The labels, each with its place and its source.
+inline std::string labels_of(const SegmentSet& set) {
+  std::string text;
+  for (const Label& label : set.labels) {
+    text += label.text + (label.place ? " at " + to_text(*label.place) : "") + " | " +
+            to_text(set.sources.at(label.source), set.files) + "\n";
+  }
+  return text;
+}
+
 /// Each segment with its source, then what was rejected, the remarks, the ledger.
 inline std::string listing(const Structure& structure) {
   const SegmentSet set = evaluate(structure);

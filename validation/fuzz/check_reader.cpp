@@ -90,7 +90,7 @@ void check_reader(Structure (*read)(std::string_view, const std::string&, const 
                   const std::uint8_t* data, std::size_t size) {
   for (const bool is_set : {false, true}) {
     ReadOptions options;
-    options.visible_only = options.shortest_decimals = is_set;
+    options.hidden = options.shortest_decimals = is_set;
     check_result([&](std::string_view text) { return read(text, kFile, options); }, data, size);
   }
 }

@@ -14,6 +14,7 @@ int main(int argc, char** argv) try {
   using namespace plumbline;
   ReadOptions options;
   options.chord_tolerance = parse_decimal(argv[2]);
+  options.hidden = true;  // as the others do
   const SegmentSet set = evaluate(read(argv[1], options));
   for (std::size_t i = 0; i < set.segments.size(); ++i) {
     const Source source = set.sources[set.segment_source[i]];

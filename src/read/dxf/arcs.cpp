@@ -91,6 +91,34 @@ Rational within_turn(const Rational& degrees) {
   return degrees - turns * kTurn;
 }
 
+/// Without its angles. The normal says on which side of u lies v; the centre and u are in
+/// coordinates of the drawing.
+Placed ellipse_of(const Entity& entity, Plane plane) {
+  const Point u = entity.exact_point(11);
+  Rational ratio = entity.number(kRadius).rational();
+  if (plane == Plane::Back) ratio = -ratio;
+  if (u == Point{0, 0} || sgn(ratio) == 0) throw Unusable{"ellipse with an axis of no length", {}};
+  const double length = std::hypot(nearest_double(u.x), nearest_double(u.y));
+  return {{entity.exact_point(kCentre), u, {-ratio * u.y, ratio * u.x}},
+          text_rounding(entity.point(kCentre)) + text_rounding(entity.point(11)) +
+              half_unit(entity.number(kRadius)) * length,
+          0};
+}
+
+DrawnEntity draw_between(const Placed& ellipse, const Rational& from, const Rational& to,
+                         Pen& pen) {
+  // Six digits of 2 pi are within 1e-5; the least that a writer gives is the turn of 6.28318.
+  const Rational slack = degrees_of(Rational(1, 100'000));
+  const Rational sweep = within_turn(to - from);
+  if (sweep > slack && 360 - sweep > slack) {
+    return draw_part(ellipse, from, to, Plane::Front, "ellipse", pen);
+  }
+  if (abs(to - from) < 1) throw Unusable{"arc of an angle below the bound", {}};
+  DrawnEntity drawn = whole(ellipse, Plane::Front, "ellipse", pen);
+  if (sweep != 0) drawn.replaced.push_back({"end of a whole ellipse by its start", 1e-5, "rad"});
+  return drawn;
+}
+
 }  // namespace
 
 Substitution by_chords(const char* curve, double bound) {
@@ -114,33 +142,22 @@ DrawnEntity draw_circle(const Entity& entity, Pen& pen) {
 }
 
 DrawnEntity draw_ellipse(const Entity& entity, Pen& pen) {
-  const Point centre = entity.exact_point(kCentre);
-  const Point u = entity.exact_point(11);
-  // The normal says on which side of u lies v; the centre and u are in coordinates of the drawing.
-  Rational ratio = entity.number(kRadius).rational();
-  if (plane_of(entity) == Plane::Back) ratio = -ratio;
-  if (u == Point{0, 0} || sgn(ratio) == 0) throw Unusable{"ellipse with an axis of no length", {}};
-  const Placed ellipse{
-      {centre, u, {-ratio * u.y, ratio * u.x}},
-      text_rounding(entity.point(kCentre)) + text_rounding(entity.point(11)) +
-          half_unit(entity.number(kRadius)) * std::hypot(nearest_double(u.x), nearest_double(u.y)),
-      entity.has(41) && entity.has(42)
-          ? std::max(text_rounding(entity.number(41), {}), text_rounding(entity.number(42), {}))
-          : 0};
-  if (!entity.has(41) && !entity.has(42)) return whole(ellipse, Plane::Front, "ellipse", pen);
-  const Rational from = degrees_of(entity.number(41).rational());
-  const Rational to = degrees_of(entity.number(42).rational());
-  if (from == to) throw Unusable{"ellipse of no angle", "group 42: " + in_ascii(entity.text(42))};
-  // Six digits of 2 pi are within 1e-5; the least that a writer gives is the turn of 6.28318.
-  const Rational slack = degrees_of(Rational(1, 100'000));
-  const Rational sweep = within_turn(to - from);
-  if (sweep > slack && 360 - sweep > slack) {
-    return draw_part(ellipse, from, to, Plane::Front, "ellipse", pen);
-  }
-  if (abs(to - from) < 1) throw Unusable{"arc of an angle below the bound", {}};
-  DrawnEntity drawn = whole(ellipse, Plane::Front, "ellipse", pen);
-  drawn.replaced.push_back({"end of a whole ellipse by its start", 1e-5, "rad"});
-  return drawn;
+  constexpr int kFrom = 41, kTo = 42;
+  Placed ellipse = ellipse_of(entity, plane_of(entity));
+  if (!entity.has(kFrom) && !entity.has(kTo)) return whole(ellipse, Plane::Front, "ellipse", pen);
+  const Number from = entity.number(kFrom), to = entity.number(kTo);
+  ellipse.angle_bound = std::max(text_rounding(from, {}), text_rounding(to, {}));
+  if (from == to) throw Unusable{"ellipse of no angle", "group 42: " + in_ascii(entity.text(kTo))};
+  return draw_between(ellipse, degrees_of(from.rational()), degrees_of(to.rational()), pen);
+}
+
+DrawnEntity draw_ellipse_by_degrees(const Entity& entity, Pen& pen) {
+  Placed ellipse = ellipse_of(entity, Plane::Front);
+  const Number from = entity.number(50), to = entity.number(51);
+  ellipse.angle_bound =
+      kRadiansPerDegree * std::max(text_rounding(from, {}), text_rounding(to, {}));
+  if (from == to) throw Unusable{"ellipse of no angle", "group 51: " + in_ascii(entity.text(51))};
+  return draw_between(ellipse, from.rational(), to.rational(), pen);
 }
 
 }  // namespace plumbline::dxf

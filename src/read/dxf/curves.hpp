@@ -11,6 +11,8 @@ DrawnEntity draw_circle(const Entity& entity, Pen& pen);
 /// From parameter 41 to 42, in radians; whole where they differ by a turn within the digits that
 /// writers use, which goes into the ledger.
 DrawnEntity draw_ellipse(const Entity& entity, Pen& pen);
+/// The same from group 50 to 51, in degrees of its parameter, and in the entity's own coordinates.
+DrawnEntity draw_ellipse_by_degrees(const Entity& entity, Pen& pen);
 /// By its control points, knots and weights.
 DrawnEntity draw_spline(const Entity& entity, Pen& pen);
 

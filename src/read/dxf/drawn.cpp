@@ -15,6 +15,24 @@ void append_curve(DrawnEntity& drawn, const std::vector<NumberPoint>& chords, Cu
   drawn.curves.push_back(std::move(curve));
 }
 
+void append(DrawnEntity& drawn, DrawnEntity more) {
+  const auto first = static_cast<std::uint32_t>(drawn.segments.size());
+  for (std::size_t i = 0; i < more.segments.size(); ++i) {
+    const auto n = more.segments.numbers(i);
+    drawn.segments.push_back(NumberPoint{n[0], n[1]}, NumberPoint{n[2], n[3]});
+  }
+  for (Curve& curve : more.curves) {
+    curve.first += first;
+    drawn.curves.push_back(std::move(curve));
+  }
+  for (Ring& ring : more.rings) {
+    ring.first += first;
+    drawn.rings.push_back(ring);
+  }
+  for (Substitution& item : more.replaced) drawn.replaced.push_back(std::move(item));
+  for (Unusable& item : more.refused) drawn.refused.push_back(std::move(item));
+}
+
 void mirror_x(Ellipse& ellipse) {
   for (Point* p : {&ellipse.centre, &ellipse.u, &ellipse.v}) p->x = -p->x;
 }

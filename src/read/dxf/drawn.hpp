@@ -28,6 +28,8 @@ struct DrawnEntity {
 void append_chain(SegmentList& segments, const std::vector<NumberPoint>& points);
 /// Appends the chords of a curve, whose `first` and `count` this sets.
 void append_curve(DrawnEntity& drawn, const std::vector<NumberPoint>& chords, Curve curve);
+/// Appends all of what another one draws.
+void append(DrawnEntity& drawn, DrawnEntity more);
 /// The curve as it is seen from +z, given in coordinates for -z.
 void mirror_x(Ellipse& ellipse);
 /// Appends the segments of the closed polygon, a ring.

@@ -9,6 +9,7 @@
 #include "read/dxf/entity_reader.hpp"
 #include "read/dxf/space.hpp"
 #include "read/dxf/tables.hpp"
+#include "read/dxf/units.hpp"
 
 namespace plumbline {
 namespace dxf {
@@ -43,8 +44,9 @@ class DxfReader {
       : file_name_(file_name),
         records_(text, file_name),
         numbers_(options.shortest_decimals),
-        layers_(names_),
-        entities_(drawing_, names_, layers_, numbers_, options) {}
+        layers_(names_, options),
+        styles_(text, file_name, names_),
+        entities_(drawing_, names_, layers_, styles_, numbers_, options) {}
 
   Structure read() && {
     bool ended = false;
@@ -64,7 +66,10 @@ class DxfReader {
         drawing_.tally.leave_out(end, "the file ends inside a section", false);
       }
     }
+    layers_.check_choice(file_name_);
     Structure structure = std::move(drawing_).structure(file_name_);
+    structure.layers = layers_.declared();
+    structure.unit = std::move(unit_);
     numbers_.add_to(structure.ledger);
     return structure;
   }
@@ -101,6 +106,7 @@ class DxfReader {
     if (name != "HEADER") return;
     const Header header = header_of(record_);
     names_.set_encoding(header.version, header.code_page);
+    unit_ = unit_of(header.units);
   }
 
   void close_section() {
@@ -181,7 +187,9 @@ class DxfReader {
   Names names_;
   Layers layers_;
   Drawing drawing_;
+  MlineStyles styles_;
   EntityReader entities_;
+  std::optional<LengthUnit> unit_;
   Section section_ = Section::None;
   bool has_section_ = false;
   bool inside_block_ = false;

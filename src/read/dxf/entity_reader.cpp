@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "read/dxf/hatch.hpp"
+#include "read/dxf/texts.hpp"
 #include "read/dxf/unread.hpp"
 
 namespace plumbline::dxf {
@@ -12,6 +14,7 @@ constexpr int kHandle = 5;
 constexpr int kBlockName = 2;
 constexpr int kInvisible = 60;
 constexpr int kPaperSpace = 67;
+constexpr std::string_view kMultiline = "MLINE";
 constexpr const char* kHeightLeftOut = "z is left out: drawn as it is seen from above";
 
 /// Follows the vertices of a POLYLINE and the attributes of an INSERT.
@@ -19,9 +22,14 @@ constexpr std::string_view kSequenceEnd = "SEQEND";
 
 }  // namespace
 
-EntityReader::EntityReader(Drawing& drawing, const Names& names, const Layers& layers,
-                           Numbers& numbers, const ReadOptions& options)
-    : drawing_(drawing), names_(names), layers_(layers), numbers_(numbers), pen_(options) {}
+EntityReader::EntityReader(Drawing& drawing, const Names& names, Layers& layers,
+                           MlineStyles& styles, Numbers& numbers, const ReadOptions& options)
+    : drawing_(drawing),
+      names_(names),
+      layers_(layers),
+      styles_(styles),
+      numbers_(numbers),
+      pen_(options) {}
 
 Source EntityReader::source(const Record& record) const {
   const auto handle = std::find_if(record.groups.begin(), record.groups.end(),
@@ -51,41 +59,63 @@ void EntityReader::visit(const Record& record, std::size_t space) {
 void EntityReader::add(const Entity& entity, const Source& source, std::size_t space) {
   Space& in = drawing_.spaces[space];
   const std::string_view type = entity.record().type;
-  const Layers::Layer layer = layers_.of(entity);
-  std::string reason;
-  bool harmless = true;
+  const Layers::Layer& layer = layers_.of(entity);
+  Unread left_out{type, nullptr, true};
   if (space == 0 && entity.integer(kPaperSpace, 0) == 1) {
-    reason = kInPaperSpace;
-  } else if (type != "POLYLINE" && type != "INSERT" && !is_shape(type)) {
-    const Unread left_out = unread(type);
-    reason = left_out.reason;
-    harmless = left_out.harmless;
-  } else if (pen_.visible_only) {
-    reason = reason_to_hide(entity, layer, space != 0);
+    left_out.reason = kInPaperSpace;
+  } else if (hides(entity, source, in, layer)) {
+    if (type == "POLYLINE") open_ = {source, layer.name, space, std::nullopt};
+    if (type == "INSERT") hides_attributes_ = true;
+    return;
+  } else if (type == "ATTRIB" && hides_attributes_) {
+    return;  // with its INSERT
+  } else if (type != "POLYLINE" && type != "INSERT" && !is_drawn(type) && !is_text(type)) {
+    left_out = unread(type);
   }
-  if (!reason.empty()) {
-    in.tally.leave_out(in.placed(source, layer.name), reason, harmless);
+  if (left_out.reason != nullptr) {
+    in.tally.leave_out(in.placed(source, layer.name), left_out.reason, left_out.harmless);
     if (type == "POLYLINE") open_ = {source, layer.name, space, std::nullopt};
   } else if (type == "POLYLINE") {
     open_polyline(entity, source, space, layer.name);
   } else if (type == "INSERT") {
+    hides_attributes_ = false;
     add_insert(entity, source, space, layer);
+  } else if (is_text(type)) {
+    add_text(entity, source, in, layer.name);
   } else {
-    add_drawn(draw_shape(entity, pen_), source, space, layer.name, has_height(entity));
+    add_drawn(drawn(entity), source, space, layer.name, has_height(entity));
   }
 }
 
-/// Empty for what is to be seen. What a block has on layer "0" is seen as its insert is; so is what
-/// other layers of a block show while the layer of the insert is off.
-std::string EntityReader::reason_to_hide(const Entity& entity, const Layers::Layer& layer,
-                                         bool in_block) const {
-  if (entity.integer(kInvisible, 0) == 1) return "hidden: marked as invisible";
-  if (in_block && layer.name == kLayerZero) return {};
-  if (layer.state == LayerState::Frozen) return "hidden: layer " + layer.name + " is frozen";
-  if (layer.state == LayerState::Off && entity.record().type != "INSERT") {
-    return "hidden: layer " + layer.name + " is off";
+bool EntityReader::is_drawn(std::string_view type) const {
+  return is_shape(type) || type == kMultiline || (type == kHatch && pen_.draws_hatches);
+}
+
+DrawnEntity EntityReader::drawn(const Entity& entity) {
+  constexpr int kStyle = 2;
+  const std::string_view type = entity.record().type;
+  if (type == kMultiline) return draw_mline(entity, styles_.flags(entity.text(kStyle)), pen_);
+  return type == kHatch ? draw_hatch(entity, pen_) : draw_shape(entity, pen_);
+}
+
+/// What a block has on layer "0" is seen as its insert is; so is what other layers of a block show
+/// while the layer of the insert is not shown; it is gone where that is frozen.
+bool EntityReader::hides(const Entity& entity, const Source& source, Space& in,
+                         const Layers::Layer& layer) {
+  if (!pen_.draws_hidden && entity.integer(kInvisible, 0) == 1) {
+    in.tally.leave_out(in.placed(source, layer.name), "hidden: marked as invisible", true);
+    return true;
   }
-  return {};
+  const bool in_block = &in != &drawing_.spaces.front();
+  if (layer.state == LayerState::Shown || (in_block && layer.name == kLayerZero)) return false;
+  if (layer.state != LayerState::Frozen && entity.record().type == "INSERT") return false;
+  // One item for each layer.
+  Source from = in.placed(source, layer.name);
+  from.element = "LAYER";
+  from.id.clear();
+  in.tally.leave_out(from, "what is on layer " + layer.name + ", which is " + to_text(layer.state),
+                     true);
+  return true;
 }
 
 void EntityReader::open_polyline(const Entity& entity, const Source& source, std::size_t space,
@@ -130,12 +160,23 @@ void EntityReader::add_insert(const Entity& entity, const Source& source, std::s
   Reference reference{source, names_.utf8(name), insert_of(entity, names_.key(name), at), false};
   if (has_height(entity)) in.tally.remark(at, kHeightLeftOut);
   const bool inherits = space != 0 && layer.name == kLayerZero;
-  if (pen_.visible_only && layer.state == LayerState::Off && !inherits) {
+  if (layer.state != LayerState::Shown && !inherits) {
     reference.hides_layer_zero = true;
     in.tally.leave_out(
-        at, "hidden: what the block has on layer 0, since layer " + layer.name + " is off", true);
+        at,
+        "what the block has on layer 0, since layer " + layer.name + " is " + to_text(layer.state),
+        true);
   }
   in.add(layer.name, std::move(reference));
+}
+
+void EntityReader::add_text(const Entity& entity, const Source& source, Space& in,
+                            const std::string& layer) {
+  auto text = text_of(entity, names_, &in != &drawing_.spaces.front());
+  if (!text) return;
+  Model model{source, {}};
+  model.labels.push_back(*std::move(text));
+  in.add(layer, std::move(model));
 }
 
 void EntityReader::add_drawn(DrawnEntity drawn, const Source& source, std::size_t space,

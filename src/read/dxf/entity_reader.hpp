@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "read/dxf/mline.hpp"
 #include "read/dxf/polyline.hpp"
 #include "read/dxf/space.hpp"
 #include "read/dxf/tables.hpp"
@@ -15,9 +16,9 @@ inline constexpr const char* kInPaperSpace = "in paper space";
 /// that follow it.
 class EntityReader {
  public:
-  /// Requires: the first four outlive the reader. Throws: Error BadInput for bad options.
-  EntityReader(Drawing& drawing, const Names& names, const Layers& layers, Numbers& numbers,
-               const ReadOptions& options);
+  /// Requires: the first five outlive the reader. Throws: Error BadInput for bad options.
+  EntityReader(Drawing& drawing, const Names& names, Layers& layers, MlineStyles& styles,
+               Numbers& numbers, const ReadOptions& options);
 
   /// Takes the next entity of a space.
   void visit(const Record& record, std::size_t space);
@@ -37,21 +38,27 @@ class EntityReader {
   };
 
   void add(const Entity& entity, const Source& source, std::size_t space);
-  std::string reason_to_hide(const Entity& entity, const Layers::Layer& layer, bool in_block) const;
+  /// Whether the entity is not to be seen, which is then listed.
+  bool hides(const Entity& entity, const Source& source, Space& in, const Layers::Layer& layer);
+  bool is_drawn(std::string_view type) const;
+  DrawnEntity drawn(const Entity& entity);
   void open_polyline(const Entity& entity, const Source& source, std::size_t space,
                      const std::string& layer);
   void add_vertex(const Entity& entity, const Source& source);
   void add_insert(const Entity& entity, const Source& source, std::size_t space,
                   const Layers::Layer& layer);
+  void add_text(const Entity& entity, const Source& source, Space& in, const std::string& layer);
   void add_drawn(DrawnEntity drawn, const Source& source, std::size_t space,
                  const std::string& layer, bool has_height);
 
   Drawing& drawing_;
   const Names& names_;
-  const Layers& layers_;
+  Layers& layers_;
+  MlineStyles& styles_;
   Numbers& numbers_;
   Pen pen_;
   std::optional<Open> open_;
+  bool hides_attributes_ = false;  ///< those of the last INSERT
 };
 
 }  // namespace plumbline::dxf

@@ -53,7 +53,7 @@ DrawnEntity draw_mesh(const Polyline& mesh) {
 }
 
 void draw_polyface_face(const PolylineVertex& face, const std::vector<NumberPoint>& points,
-                        bool visible_only, DrawnEntity& drawn) {
+                        bool draws_hidden, DrawnEntity& drawn) {
   const auto end = std::find(face.face.begin(), face.face.end(), 0);
   const auto corner = [&points](std::int64_t index) -> const NumberPoint& {
     // A negative index hides the edge that starts there.
@@ -65,7 +65,7 @@ void draw_polyface_face(const PolylineVertex& face, const std::vector<NumberPoin
   };
   for (auto i = face.face.begin(); i != end; ++i) {
     const auto next = i + 1 == end ? face.face.begin() : i + 1;
-    if (*i < 0 && visible_only) {
+    if (*i < 0 && !draws_hidden) {
       drawn.refused.push_back({"hidden edge", {}, true});
     } else {
       const NumberPoint& from = corner(*i);
@@ -74,7 +74,7 @@ void draw_polyface_face(const PolylineVertex& face, const std::vector<NumberPoin
   }
 }
 
-DrawnEntity draw_polyface(const Polyline& mesh, bool visible_only) {
+DrawnEntity draw_polyface(const Polyline& mesh, bool draws_hidden) {
   std::vector<NumberPoint> points;
   for (const PolylineVertex& vertex : mesh.vertices) {
     if (has(vertex.flags, kMeshVertex)) points.push_back(vertex.point);
@@ -83,7 +83,7 @@ DrawnEntity draw_polyface(const Polyline& mesh, bool visible_only) {
   for (const PolylineVertex& vertex : mesh.vertices) {
     if (has(vertex.flags, kMeshVertex) || !has(vertex.flags, kFaceVertex)) continue;
     try {
-      draw_polyface_face(vertex, points, visible_only, drawn);
+      draw_polyface_face(vertex, points, draws_hidden, drawn);
     } catch (const Unusable& problem) {
       drawn.refused.push_back(problem);
     }
@@ -117,7 +117,7 @@ PolylineVertex polyline_vertex_of(const Entity& entity) {
 }
 
 DrawnEntity draw_polyline(const Polyline& polyline, Pen& pen) {
-  if (has(polyline.flags, kPolyface)) return draw_polyface(polyline, pen.visible_only);
+  if (has(polyline.flags, kPolyface)) return draw_polyface(polyline, pen.draws_hidden);
   if (has(polyline.flags, kMesh)) return draw_mesh(polyline);
   std::vector<Vertex> vertices;
   std::vector<Unusable> frame;

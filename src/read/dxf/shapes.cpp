@@ -65,7 +65,7 @@ DrawnEntity draw_face(const Entity& entity, Pen& pen) {
   const auto hidden = static_cast<std::uint64_t>(entity.integer(kFlags, 0));
   DrawnEntity drawn;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (pen.visible_only && ((hidden >> i) & 1U) != 0) {
+    if (!pen.draws_hidden && ((hidden >> i) & 1U) != 0) {
       drawn.refused.push_back({"hidden edge", {}, true});
     } else {
       drawn.segments.push_back(points[i], points[(i + 1) % points.size()]);

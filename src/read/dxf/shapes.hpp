@@ -12,12 +12,14 @@ class Pen {
   /// Throws: Error BadInput for a negative tolerance.
   explicit Pen(const ReadOptions& options)
       : angle_bound(options.angle_bound),
-        visible_only(options.visible_only),
+        draws_hidden(options.hidden),
+        draws_hatches(options.hatches),
         join_curves(options.join_curves),
         flattener_(options) {}
 
   const double angle_bound;
-  const bool visible_only;
+  const bool draws_hidden;
+  const bool draws_hatches;
   const bool join_curves;
 
   /// The chords of a curve. Throws: Unusable, Error Limit as the Flattener; Limit also where the

@@ -12,10 +12,6 @@ constexpr const char* kView = "lights and cameras are not drawn";
 constexpr const char* kEndless = "endless lines are not read";
 constexpr const char* kSolid = "surfaces and solids are not read";
 constexpr std::array kUnread{
-    Unread{"TEXT", kAnnotation, true},
-    Unread{"MTEXT", kAnnotation, true},
-    Unread{"ATTRIB", kAnnotation, true},
-    Unread{"ATTDEF", kAnnotation, true},
     Unread{"DIMENSION", kAnnotation, true},
     Unread{"ARC_DIMENSION", kAnnotation, true},
     Unread{"LARGE_RADIAL_DIMENSION", kAnnotation, true},

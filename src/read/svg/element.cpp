@@ -44,10 +44,16 @@ const char* declared_prefix(const pugi::xml_attribute& attribute) {
   return *rest == ':' ? rest + 1 : nullptr;
 }
 
+bool is_drawn(const pugi::xml_node& element) {
+  const std::string_view name = local_name(element);
+  return contains(kShapes, name) || contains(kOtherDrawn, name);
+}
+
 }  // namespace
 
 SvgKind svg_kind(std::string_view local_name) {
   if (contains(kShapes, local_name)) return SvgKind::Shape;
+  if (local_name == "text") return SvgKind::Text;
   if (contains(kContainers, local_name)) return SvgKind::Container;
   return contains(kUndrawn, local_name) ? SvgKind::Undrawn : SvgKind::Unknown;
 }
@@ -59,10 +65,15 @@ std::string_view local_name(const pugi::xml_node& element) {
 
 bool holds_drawing(const pugi::xml_node& top) {
   for (auto node = top; node; node = next_below(top, node)) {
-    const std::string_view name = local_name(node);
-    if (contains(kShapes, name) || contains(kOtherDrawn, name)) return true;
+    if (is_drawn(node)) return true;
   }
   return false;
+}
+
+std::size_t count_drawn(const pugi::xml_node& top) {
+  std::size_t count = 0;
+  for (auto node = top; node; node = next_below(top, node)) count += is_drawn(node) ? 1 : 0;
+  return count;
 }
 
 bool holds_shape(const pugi::xml_node& top) {

@@ -12,6 +12,7 @@ namespace plumbline {
 enum class SvgKind {
   Container,  ///< g, a, svg, use
   Shape,      ///< line, rect, circle, ellipse, polyline, polygon, path
+  Text,       ///< text: a label
   Undrawn,  ///< never drawn in its place: defs, clipPath, title, another vocabulary's element, ...
   Unknown,  ///< drawn, but not understood yet
 };
@@ -24,6 +25,8 @@ std::string_view local_name(const pugi::xml_node& element);
 
 /// Whether an element below `top`, or `top` itself, is by its name one that draws.
 bool holds_drawing(const pugi::xml_node& top);
+/// How many of them there are.
+std::size_t count_drawn(const pugi::xml_node& top);
 /// The same for what has lines: shapes, and uses of them.
 bool holds_shape(const pugi::xml_node& top);
 

@@ -41,6 +41,9 @@ SvgIndex::SvgIndex(const pugi::xml_node& root) {
 void SvgIndex::add(const pugi::xml_node& element, bool is_svg) {
   if (!is_svg) foreign_.insert(element.internal_object());
   if (is_svg && local_name(element) == "style") style_sheets_.push_back(element);
+  if (element.attribute("inkscape:groupmode").value() == std::string_view("layer")) {
+    layers_.push_back(element);
+  }
   const std::string_view id = element.attribute("id").value();
   if (!id.empty()) by_id_.emplace(id, element);
 }

@@ -21,6 +21,8 @@ class SvgIndex {
   /// The first element with this id, or a null node.
   pugi::xml_node find(std::string_view id) const;
   const std::vector<pugi::xml_node>& style_sheets() const { return style_sheets_; }
+  /// The groups that are layers, as Inkscape marks them.
+  const std::vector<pugi::xml_node>& layers() const { return layers_; }
   /// Whether a `use` refers to the element.
   bool is_referenced(const pugi::xml_node& element) const {
     return referenced_.count(element.internal_object()) != 0;
@@ -32,6 +34,7 @@ class SvgIndex {
   void add(const pugi::xml_node& element, bool is_svg);
 
   std::vector<pugi::xml_node> style_sheets_;
+  std::vector<pugi::xml_node> layers_;
   Elements foreign_;
   Elements referenced_;
   std::unordered_map<std::string_view, pugi::xml_node> by_id_;

@@ -1,5 +1,6 @@
 #include "read/svg/length.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -10,19 +11,20 @@ namespace plumbline {
 namespace {
 
 /// An absolute unit: so many user units, numerator / denominator.
-struct Unit {
+struct NamedLength {
   std::string_view name;
   int numerator;
   int denominator;
 };
 
-constexpr std::array<Unit, 7> kUnits{{{"px", 1, 1},
-                                      {"in", 96, 1},
-                                      {"cm", 96 * 100, 254},
-                                      {"mm", 96 * 10, 254},
-                                      {"q", 96 * 10, 254 * 4},
-                                      {"pt", 96, 72},
-                                      {"pc", 96, 6}}};
+constexpr int kUserUnitsPerInch = 96;
+constexpr std::array<NamedLength, 7> kUnits{{{"px", 1, 1},
+                                             {"in", 96, 1},
+                                             {"cm", 96 * 100, 254},
+                                             {"mm", 96 * 10, 254},
+                                             {"q", 96 * 10, 254 * 4},
+                                             {"pt", 96, 72},
+                                             {"pc", 96, 6}}};
 
 std::string lower_case(std::string_view text) {
   std::string result(text);
@@ -40,7 +42,7 @@ Number in_user_units(const Number& value, std::string_view unit,
     return Number(Rational(value.rational() * *whole / 100));
   }
   const std::string name = lower_case(unit);
-  for (const Unit& known : kUnits) {
+  for (const NamedLength& known : kUnits) {
     if (name != known.name) continue;
     return known.denominator == 1
                ? value * Number::decimal(known.numerator, 0)
@@ -64,6 +66,23 @@ Number parse_length(std::string_view text, const std::optional<Rational>& whole,
   scanner.skip_blanks();
   if (number.empty() || !scanner.at_end()) throw Unusable{"not a length", std::string(text)};
   return in_user_units(numbers.parse(number), unit, whole, text);
+}
+
+bool is_physical_length(std::string_view text) {
+  const std::string name = lower_case(text.substr(0, text.find_last_not_of(" \t\r\n") + 1));
+  const auto is_unit = [&](const NamedLength& unit) {
+    return unit.name != "px" && name.ends_with(unit.name);
+  };
+  return std::any_of(kUnits.begin(), kUnits.end(), is_unit);
+}
+
+LengthUnit svg_unit(const Rational& user_units) {
+  const Rational metres = user_units * Rational(254, 10'000) / kUserUnitsPerInch;
+  for (const NamedLength& known : kUnits) {
+    if (user_units * known.denominator == known.numerator) return {std::string(known.name), metres};
+  }
+  if (metres == 1) return {"m", metres};
+  return {"user unit", metres};
 }
 
 Number length_attribute(const pugi::xml_node& element, const char* name,

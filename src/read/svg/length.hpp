@@ -21,6 +21,11 @@ struct SvgViewport {
 /// of nothing. Source: SVG 1.1, 7.10; CSS Values 3, 6.2.
 Number parse_length(std::string_view text, const std::optional<Rational>& whole, Numbers& numbers);
 
+/// Whether the text is a length in in, cm, mm, Q, pt or pc.
+bool is_physical_length(std::string_view text);
+/// So many 1/96 inches as a unit: "mm", "cm", ... where it is one of them, else "user unit".
+LengthUnit svg_unit(const Rational& user_units);
+
 /// The length in an attribute, 0 where it is missing. Throws: Unusable, naming the attribute.
 Number length_attribute(const pugi::xml_node& element, const char* name,
                         const std::optional<Rational>& whole, Numbers& numbers);

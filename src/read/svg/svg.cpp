@@ -11,9 +11,12 @@
 #include "plumbline/read.hpp"
 #include "read/svg/element.hpp"
 #include "read/svg/index.hpp"
+#include "read/svg/names.hpp"
+#include "read/svg/selection.hpp"
 #include "read/svg/shape.hpp"
 #include "read/svg/style.hpp"
 #include "read/svg/transform.hpp"
+#include "read/svg/unapplied.hpp"
 #include "read/svg/undrawn.hpp"
 #include "read/svg/viewport.hpp"
 #include "read/xml.hpp"
@@ -37,7 +40,8 @@ class SvgReader {
         index_(document_.root()),
         numbers_(options.shortest_decimals),
         flattener_(options),
-        options_(options) {
+        options_(options),
+        selection_(options) {
     structure_.files = {file_name};
     structure_.angle_bound = options.angle_bound;
     structure_.root = StructId(0);
@@ -50,17 +54,24 @@ class SvgReader {
                   root.name());
     }
     structure_.structs.push_back(named_struct(root));
-    if (options_.visible_only && !is_displayed(root)) {
+    list_layers();
+    if (!options_.hidden && !is_displayed(root)) {
       reject(root, {"hidden", "display: none", true});
       return std::move(structure_);
     }
     Frame frame = frame_of(root, structure_.root);
     frame.visible = own_visibility(root).value_or(true);
     frame.viewport = viewport_of_root(root);
+    structure_.unit = root_unit(root, numbers_);
+    frame.wanted = selection_.wants_all() || selection_.wants(root);
     push(std::move(frame));
-    list_what_root_adds(root);
-    list_style_sheets();
+    for (const SvgUnapplied& item : unapplied(root, index_)) {
+      remark(item.element, item.what, item.text);
+    }
     while (!frames_.empty()) step();
+    for (const auto& [element, path, problem] : selection_.left_out(structure_.files[0])) {
+      reject(element, path, problem);
+    }
     for (const auto& [element, path] : undrawn_.unused()) {
       reject(element, path, {"not drawn directly", {}, true});
     }
@@ -78,6 +89,7 @@ class SvgReader {
     StructId id;
     SvgViewport viewport;
     bool visible = true;
+    bool wanted = true;  ///< whether its shapes are read, by their layers
     bool again = false;  ///< whether this was read before
   };
 
@@ -109,19 +121,6 @@ class SvgReader {
     }
   }
 
-  /// Coordinates are user units of the root's viewBox. What maps them to a page from outside is
-  /// listed.
-  void list_what_root_adds(const pugi::xml_node& root) {
-    try {
-      check_placement(root, "svg");
-    } catch (const Unusable& problem) {
-      remark(root, problem.reason, problem.text);
-    }
-    if (!root.attribute("transform")) return;
-    remark(root, "transform of the root svg maps its user units to the page; it is not applied",
-           std::string(attribute(root, "transform")));
-  }
-
   void step() {
     Frame& frame = frames_.back();
     if (const pugi::xml_node target = std::exchange(frame.target, {})) {
@@ -142,20 +141,22 @@ class SvgReader {
     const std::string_view name = local_name(element);
     SvgKind kind = index_.is_svg(element) ? svg_kind(name) : SvgKind::Undrawn;
     if (is_target && kind == SvgKind::Undrawn && name == "symbol") kind = SvgKind::Container;
+    if (kind == SvgKind::Text && holds_shape(element)) kind = SvgKind::Unknown;
     try {
       if (kind == SvgKind::Undrawn && is_target) {
         throw Unusable{"use of an element that is not drawn", {}, !holds_shape(element)};
       }
       if (kind == SvgKind::Undrawn) return pass_over(element);
       const bool visible = own_visibility(element).value_or(frames_.back().visible);
-      check_hidden(element, kind, visible);
+      const bool wanted = frames_.back().wanted || selection_.wants(element);
+      if (selection_.leaves_out(element, kind, visible, wanted, path_.text())) return;
       if (kind == SvgKind::Unknown) {
         throw Unusable{
             "element " + std::string(name) + " is not understood yet", {}, !holds_shape(element)};
       }
       if (is_target) undrawn_.used(element);
       StructId* const known = index_.is_referenced(element)
-                                  ? &struct_of_same_use(element, use_extents, visible)
+                                  ? &struct_of_same_use(element, use_extents, visible, wanted)
                                   : nullptr;
       if (known != nullptr && known->valid()) {
         structure_.structs[frames_.back().id].body.emplace_back(*known);
@@ -166,9 +167,10 @@ class SvgReader {
       if (again) count_reading_again(element);
       if (kind == SvgKind::Container) {
         const StructId id = open(element, name, use_extents, visible);
+        frames_.back().wanted = wanted;
         frames_.back().again = again;
         if (known != nullptr) *known = id;
-      } else if (const auto id = add_shape(element, name, known != nullptr)) {
+      } else if (const auto id = add_model(element, name, known != nullptr)) {
         if (known != nullptr) *known = *id;
       }
     } catch (const Unusable& problem) {
@@ -176,25 +178,24 @@ class SvgReader {
     }
   }
 
-  /// Throws: Unusable for what is hidden, where that counts.
-  void check_hidden(const pugi::xml_node& element, SvgKind kind, bool visible) const {
-    if (!options_.visible_only) return;
-    if (!is_displayed(element)) throw Unusable{"hidden", "display: none", true};
-    if (!visible && (kind == SvgKind::Shape || kind == SvgKind::Unknown)) {
-      throw Unusable{"hidden", "visibility: hidden", true};
+  void list_layers() {
+    for (const pugi::xml_node& layer : index_.layers()) {
+      const bool is_hidden = !is_displayed(layer) || !own_visibility(layer).value_or(true);
+      structure_.layers.push_back({named_struct(layer).name, {}, is_hidden});
     }
   }
 
   /// The Struct made of a referenced element before, where everything was the same that it depends
   /// on; else an invalid one, to be set.
   StructId& struct_of_same_use(const pugi::xml_node& element, const SvgExtents& use_extents,
-                               bool visible) {
-    const auto text_of = [](const std::optional<Rational>& extent) {
+                               bool visible, bool wanted) {
+    const auto text_of_extent = [](const std::optional<Rational>& extent) {
       return extent ? extent->get_str() : std::string();
     };
     const SvgViewport& around = frames_.back().viewport;
-    std::string key = std::to_string(element.offset_debug()) + ' ' + text_of(around.width) + ' ' +
-                      text_of(around.height) + ' ' + (visible ? "1 " : "0 ");
+    std::string key = std::to_string(element.offset_debug()) + ' ' + text_of_extent(around.width) +
+                      ' ' + text_of_extent(around.height) + ' ' + (visible ? "1 " : "0 ") +
+                      (wanted ? "1 " : "0 ");
     key.append(use_extents.width).append(" ").append(use_extents.height);
     return made_[std::move(key)];
   }
@@ -246,49 +247,52 @@ class SvgReader {
     return target;
   }
 
-  /// The Struct of its own that a shape gets where it needs one.
-  std::optional<StructId> add_shape(const pugi::xml_node& element, std::string_view name,
+  /// Adds a shape or a text, in a Struct of its own where it needs one.
+  std::optional<StructId> add_model(const pugi::xml_node& element, std::string_view name,
                                     bool is_referenced) {
     const auto transform = transform_of(element, name);
+    Model model{source_of(element), {}};
+    std::vector<Replacement> curves;
+    if (name == "text") {
+      if (auto text = text_of(element, frames_.back().viewport, numbers_)) {
+        model.labels.push_back(*std::move(text));
+      }
+    } else {
+      curves = add_pieces(element, name, model);
+    }
+    const bool is_empty = model.segments.empty() && model.labels.empty();
+    if (transform && !is_empty) record(element, transform->replaced);
+    record(element, curves);
+    if (!transform && !is_referenced) {
+      if (!is_empty) structure_.structs[frames_.back().id].body.emplace_back(std::move(model));
+      return std::nullopt;
+    }
+    Struct own;  // keeps the map from what follows
+    own.body.reserve(1 + (transform ? transform->maps.size() : 0));
+    if (transform) append_maps(element, *transform, own);
+    if (!is_empty) own.body.emplace_back(std::move(model));
+    return append(std::move(own));
+  }
+
+  /// What a shape draws, and its name; what replaced its curves.
+  std::vector<Replacement> add_pieces(const pugi::xml_node& element, std::string_view name,
+                                      Model& model) {
     Pieces pieces = parse_shape(element, name, frames_.back().viewport,
                                 {numbers_, flattener_, options_.angle_bound});
     for (const Unusable& problem : pieces.refused) reject(element, problem);
     for (const auto& child : element.children()) {
       if (child.type() == pugi::node_element) pass_over(child);
     }
-    if (transform && !pieces.segments.empty()) record(element, transform->replaced);
-    record(element, pieces.replaced);
-    if (!options_.join_curves) pieces.curves.clear();
-    Model model{source_of(element),       std::move(pieces.segments), {}, {},
-                std::move(pieces.curves), std::move(pieces.rings)};
-    if (!transform && !is_referenced) {
-      if (!model.segments.empty()) {
-        structure_.structs[frames_.back().id].body.emplace_back(std::move(model));
-      }
-      return std::nullopt;
-    }
-    Struct own;  // keeps the map from what follows
-    own.body.reserve(1 + (transform ? transform->maps.size() : 0));
-    if (transform) append_maps(element, *transform, own);
-    if (!model.segments.empty()) own.body.emplace_back(std::move(model));
-    return append(std::move(own));
+    model.segments = std::move(pieces.segments);
+    if (options_.join_curves) model.curves = std::move(pieces.curves);
+    model.rings = std::move(pieces.rings);
+    std::string label = model.segments.empty() ? std::string() : shape_name(element);
+    if (!label.empty()) model.labels.push_back({std::move(label), std::nullopt});
+    return std::move(pieces.replaced);
   }
 
   void pass_over(const pugi::xml_node& element) {
     if (holds_drawing(element)) undrawn_.add(element, path_.text());
-  }
-
-  /// Lists the style sheets that place or hide something.
-  void list_style_sheets() {
-    for (const pugi::xml_node& element : index_.style_sheets()) {
-      const std::string_view sheet = element.child_value();
-      for (const char* word : {"transform", "display", "visibility"}) {
-        if (sheet.find(word) == sheet.npos) continue;
-        remark(element, "style sheets are not interpreted: " + std::string(word),
-               std::string(sheet));
-        break;
-      }
-    }
   }
 
   /// The map of the element's transform, if it has one.
@@ -371,6 +375,7 @@ class SvgReader {
   Numbers numbers_;
   Flattener flattener_;
   const ReadOptions& options_;
+  SvgSelection selection_;
   Structure structure_;
   std::vector<Frame> frames_;
   std::unordered_set<const void*> open_;  ///< the frames' elements

@@ -141,6 +141,28 @@ SvgViewport root_viewport(const pugi::xml_node& root, Numbers& numbers) {
           extent(root, "height", {}, std::nullopt, numbers)};
 }
 
+std::optional<LengthUnit> root_unit(const pugi::xml_node& root, Numbers& numbers) try {
+  const auto physical = [&](const char* name) -> std::optional<Rational> {
+    const std::string_view text = root.attribute(name).value();
+    if (!is_physical_length(text)) return {};
+    return parse_length(text, {}, numbers).rational();
+  };
+  const auto width = physical("width"), height = physical("height");
+  if (!width && !height) return {};
+  if ((width && sgn(*width) <= 0) || (height && sgn(*height) <= 0)) return {};
+  Rational scale = 1;  // in 1/96 inch
+  if (const auto box = view_box(root, numbers)) {
+    const Fit fit = fit_of(root);
+    const Rational x = width ? *width / box->width : *height / box->height;
+    const Rational y = height ? *height / box->height : x;
+    if (fit.stretch && x != y) return {};
+    scale = (x < y) != fit.slice ? x : y;
+  }
+  return svg_unit(scale);
+} catch (const Unusable&) {
+  return {};
+}
+
 SvgPlacement place_viewport(const pugi::xml_node& element, const SvgExtents& given,
                             const SvgViewport& around, Numbers& numbers) {
   const auto box = view_box(element, numbers);

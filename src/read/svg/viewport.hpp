@@ -25,6 +25,11 @@ struct SvgExtents {
 /// The user space of the root: its viewBox, or else its width and height.
 SvgViewport root_viewport(const pugi::xml_node& root, Numbers& numbers);
 
+/// What a user unit of the root is, where its width or height is in mm, cm, Q, in, pt or pc:
+/// 1/96 inch, or what the viewBox makes of it. **Exact**. None where
+/// it is not the same in both directions, and for malformed attributes.
+std::optional<LengthUnit> root_unit(const pugi::xml_node& root, Numbers& numbers);
+
 /// Places an `svg` or `symbol` by its x, y, width, height, viewBox and preserveAspectRatio.
 /// **Exact**. Throws: Unusable for what is malformed, negative or has no extent, and for a scale
 /// that depends on an unknown extent. Source: SVG 1.1, 7.7 to 7.9; SVG 2, 8.2.
