@@ -111,6 +111,39 @@ if command -v script >/dev/null; then
   expect "help fits a narrow terminal" 0 '--from FORMAT[[:space:]]+Format of' on_terminal TERM=dumb "$plumbline" check --help
 fi
 
-rm -f a.txt p.svg plan.svg plan.txt pipe.svg
+# ---- Completion and manual pages, made from the options
+rm -f a.txt p.svg plan.txt pipe.svg
+"$plumbline" completion bash >complete.bash
+expect "the completion is bash" 0 '^$' bash -n complete.bash
+# completes WORD...: what bash makes of the last one.
+completes() {
+  bash -c 'source ./complete.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _plumbline; echo "${COMPREPLY[@]}"' - "$@"
+}
+expect "commands are completed" 0 '^check$' completes plumbline ch
+expect "all of them" 0 '^arrange check info lar eval random help --help --version$' completes plumbline ''
+expect "of help, too" 0 '^check$' completes plumbline help ch
+expect "options" 0 '^--picture$' completes plumbline check plan.svg --pic
+expect "values" 0 '^geojson$' completes plumbline arrange plan.svg --format geo
+expect "behind an equals sign" 0 '^geojson$' completes plumbline arrange --format = geo
+expect "files" 0 '^plan.svg$' completes plumbline arrange pl
+expect "files of options" 0 '^plan.svg$' completes plumbline check -o pl
+expect "nothing where a number is asked for" 0 '^$' completes plumbline arrange --threads ''
+"$plumbline" completion zsh >_plumbline
+"$plumbline" completion fish >plumbline.fish
+expect "zsh's has the same options" 0 'picture' cat _plumbline
+expect "fish's, too" 0 'complete -c plumbline -n .__fish_seen_subcommand_from check. -l picture -r -F' cat plumbline.fish
+command -v zsh >/dev/null && expect "the completion is zsh" 0 '^$' zsh -n _plumbline
+command -v fish >/dev/null && expect "the completion is fish" 0 '^check[[:space:]]' fish --no-config -c 'source plumbline.fish; complete -C "plumbline ch"'
+expect "an unknown shell" 2 'not csh; did you mean zsh\? It is bash, zsh or fish' "$plumbline" completion csh
+for page in '' arrange check eval info lar random; do
+  "$plumbline" man $page >page.1
+  expect "the manual has a page: plumbline $page" 0 '^.TH PLUMBLINE.*.SH SYNOPSIS.*.SH EXAMPLES' cat page.1
+  command -v man >/dev/null && expect "man has nothing to say against it" 0 '^$' bash -c 'LC_ALL=C.UTF-8 MANWIDTH=80 man --warnings -l page.1 2>&1 >/dev/null'
+  # An empty date is the wish to have the same bytes always; pages refer to pages of this program.
+  command -v mandoc >/dev/null && expect "nor mandoc" 1 '^$' bash -c 'mandoc -T lint page.1 | grep -v "missing date"'
+done
+rm -f complete.bash _plumbline plumbline.fish page.1
+
+rm plan.svg
 leaves "nothing else was written"
 finish

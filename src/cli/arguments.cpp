@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <sstream>
 
+#include "cli/completion.hpp"
 #include "cli/help.hpp"
+#include "cli/manual.hpp"
 #include "cli/options.hpp"
 #include "cli/suggestions.hpp"
 #include "cli/usage_error.hpp"
@@ -57,6 +59,23 @@ Command called(std::pair<CLI::App*, Arguments*>... commands) {
   return *std::move(result);
 }
 
+/// Hidden commands that print what is made from the options: for those who install them.
+struct MadePages {
+  explicit MadePages(CLI::App& app)
+      : completion(app.add_subcommand("completion", "Print what completes commands in a shell")),
+        manual(app.add_subcommand("man", "Print a manual page")) {
+    completion->group("");
+    manual->group("");
+    completion->add_option("SHELL", shell)
+        ->required()
+        ->transform(one_of({kShells.begin(), kShells.end()}));
+    manual->add_option("COMMAND", command)->transform(one_of(command_names(app)));
+  }
+  CLI::App* completion;
+  CLI::App* manual;
+  std::string shell, command;
+};
+
 /// The help comes last, and a flag takes no value.
 void settle_flags(CLI::App& app) {
   app.set_help_flag("-h,--help", "Tell this");
@@ -96,6 +115,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   const std::pair lar_command(add_command(app, lar), &lar);
   const std::pair eval_command(add_command(app, eval), &eval);
   const std::pair random_command(add_command(app, random), &random);
+  const MadePages pages(app);
   app.set_version_flag("-V,--version", "plumbline " PLUMBLINE_VERSION, "Tell the version");
   app.footer(kExitCodes);
   app.require_subcommand(1);
@@ -108,8 +128,10 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
     if (error.get_exit_code() != 0) throw usage_error(app, error);
     std::ostringstream text;
     app.exit(error, text, text);
-    return Notice{text.str()};
+    return Notice{text.str(), true};
   }
+  if (pages.completion->parsed()) return Notice{completion(app, pages.shell), false};
+  if (pages.manual->parsed()) return Notice{manual(app, pages.command), false};
   return called(arrange_command, check_command, info_command, rooms_command, lar_command,
                 eval_command, random_command);
 }

@@ -11,9 +11,10 @@ namespace plumbline::cli {
 using Command = std::variant<ArrangeArguments, CheckArguments, InfoArguments, RoomsArguments,
                              LarArguments, EvalArguments, RandomArguments>;
 
-/// What is said instead of running: the help, the version.
+/// What is said instead of running: the help, the version, what others are made of.
 struct Notice {
   std::string text;
+  bool is_help = false;
 };
 
 inline constexpr std::size_t kMostColumns = 100;  ///< of the help

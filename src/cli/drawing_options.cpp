@@ -45,7 +45,7 @@ void add_engine_options(CLI::App& command, CheckArguments& arguments) {
               },
               "Check the answer of this engine: lar (float LAR, the default), inters (LAR's module "
               "as published, with all its divergences), files")
-          ->type_name("NAME")
+          ->type_name("NAME:lar|inters|files")
           ->excludes("--against");
   command
       .add_option(
@@ -69,7 +69,7 @@ void add_engine_options(CLI::App& command, CheckArguments& arguments) {
       .add_option("--result", arguments.result,
                   "Of inters: larFromLines (the default), allComponents (the faces of all "
                   "components) or cells (of cycles, with holes)")
-      ->type_name("RESULT");
+      ->type_name("RESULT:larFromLines|allComponents|cells");
   command
       .add_option("--decimals", arguments.decimals,
                   "Of inters: decimals of coordinates and parameters [default: 4]")

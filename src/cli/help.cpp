@@ -8,22 +8,6 @@
 namespace plumbline::cli {
 namespace {
 
-/// The words of a text in lines; each begins with the indent, but for the first.
-std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns) {
-  std::string result, word;
-  std::size_t used = indent;
-  for (std::istringstream words(text); words >> word;) {
-    if (!result.empty()) {
-      const bool fits = used + 1 + word.size() <= columns;
-      result += fits ? " " : '\n' + std::string(indent, ' ');
-      used = fits ? used + 1 : indent;
-    }
-    result += word;
-    used += word.size();
-  }
-  return result;
-}
-
 /// Line by line; what is longer goes on below the first word.
 std::string wrapped_lines(const std::string& text, std::size_t columns) {
   std::string result, line;
@@ -97,6 +81,21 @@ class Help : public CLI::FormatterBase {
 };
 
 }  // namespace
+
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns) {
+  std::string result, word;
+  std::size_t used = indent;
+  for (std::istringstream words(text); words >> word;) {
+    if (!result.empty()) {
+      const bool fits = used + 1 + word.size() <= columns;
+      result += fits ? " " : '\n' + std::string(indent, ' ');
+      used = fits ? used + 1 : indent;
+    }
+    result += word;
+    used += word.size();
+  }
+  return result;
+}
 
 std::vector<HelpGroup> help_groups(const CLI::App& command) {
   std::vector<HelpGroup> groups;

@@ -23,6 +23,9 @@ HelpGroup help_commands(const CLI::App& app);
 /// "plumbline check [OPTIONS] FILE..."
 std::string usage_line(const CLI::App& command, const std::string& name);
 
+/// The words of a text in lines of so many columns; all but the first begin with the indent.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns);
+
 /// Writes the help of the tool and of its commands in lines of at most so many columns, as far as
 /// words allow it.
 std::shared_ptr<CLI::FormatterBase> help_format(std::size_t columns);

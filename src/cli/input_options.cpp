@@ -76,7 +76,7 @@ CLI::Validator radius() {
     return "not " + text + (meant.empty() ? ", but " : meant + " It is ") +
            "a number, larlib, plasm or drawing";
   };
-  return {refuse, ""};
+  return {refuse, "larlib|plasm|drawing"};
 }
 
 CLI::Validator finite() {

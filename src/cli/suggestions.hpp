@@ -16,7 +16,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 /// Lets only these values pass, in any case, and makes them lower case; the help and completion
 /// know them by the validator's description.
 CLI::Validator one_of(std::vector<std::string> names);
-/// The values that `one_of` lets pass; none where it does not hold.
+/// The values that are told behind a colon of the type's name, as `one_of` does it; or none.
 std::vector<std::string> choices(const CLI::Option& option);
 /// What the option's value is called in the help: "FILE"; "" for flags.
 std::string value_name(const CLI::Option& option);

@@ -129,7 +129,7 @@ ExitCode parse_and_run(const std::vector<std::string>& arguments,
   const auto parsed =
       parse(arguments, is_screen ? std::min(columns_of(stdout), kMostColumns) : kMostColumns);
   if (const auto* notice = std::get_if<Notice>(&parsed)) {
-    fmt::print("{}", with_headings(notice->text));
+    fmt::print("{}", notice->is_help ? with_headings(notice->text) : notice->text);
     flush_output();
     return kAgree;
   }
