@@ -7,6 +7,7 @@ examples=$2
 # shellcheck source-path=SCRIPTDIR source=support/expect.sh
 source "$(dirname "${BASH_SOURCE[0]}")/support/expect.sh"
 # output_of COMMAND...: what it writes to standard output alone.
+# shellcheck disable=SC2317 # expect calls it, as what follows
 output_of() { "$@" 2>/dev/null; }
 
 # ---- Pipes and formats
@@ -103,6 +104,7 @@ expect "what a terminal would obey is not shown" 1 '^$' bash -c "'$plumbline' in
 # ---- Terminals
 if command -v script >/dev/null; then
   # on_terminal ENVIRONMENT COMMAND...: what it shows on a terminal of 20 columns.
+  # shellcheck disable=SC2317
   on_terminal() { env "$1" script -qec "stty cols 20; ${*:2}" /dev/null </dev/null; }
   expect "a verdict is green on a terminal" 0 $'\e\\[32magree\e' on_terminal TERM=xterm "$plumbline" check "$examples/hospital-emergency.svg"
   for plain in NO_COLOR=1 TERM=dumb; do
@@ -116,6 +118,7 @@ rm -f a.txt p.svg plan.txt pipe.svg
 "$plumbline" completion bash >complete.bash
 expect "the completion is bash" 0 '^$' bash -n complete.bash
 # completes WORD...: what bash makes of the last one.
+# shellcheck disable=SC2317
 completes() {
   bash -c 'source ./complete.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _plumbline; echo "${COMPREPLY[@]}"' - "$@"
 }
