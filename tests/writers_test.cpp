@@ -134,6 +134,45 @@ TEST_CASE("layers of DXF have legal names, each its own") {
   CHECK(count_of(dxf, "\nAcDbLayerTableRecord\n2\n") == 5);
 }
 
+TEST_CASE("DXF keeps layers, with the nearest colour that it numbers, and the unit") {
+  Features drawing = features({});
+  drawing.drawing_layers = {{"a", 0xff0000}, {"b", 0xfe8001}, {"c", {}},
+                            {"d", 0},        {"0", 0x0000ff}, {"e", 0x5452a4, true}};
+  drawing.unit = {"mm", Rational(1, 1000)};
+  const std::string dxf = to_dxf(drawing);
+  for (const char* row : {"a\n70\n0\n62\n1", "b\n70\n0\n62\n30", "c\n70\n0\n62\n7",
+                          "d\n70\n0\n62\n7", "0\n70\n0\n62\n5", "e\n70\n0\n62\n173"}) {
+    CHECK(count_of(dxf, std::string("\nAcDbLayerTableRecord\n2\n") + row + "\n") == 1);
+  }
+  CHECK(count_of(dxf, "\nAcDbLayerTableRecord\n") == 6);
+  CHECK(dxf.find("\n$INSUNITS\n70\n4\n") != dxf.npos);
+}
+
+TEST_CASE("edges and faces say the layers of the drawing that they lie on") {
+  SegmentSet input;
+  const auto add = [&input](const char* layer, int ax, int ay, int bx, int by) {
+    const SourceId source = input.add_source({0, 1, 1, "line", "", "", layer});
+    input.add({{ax, ay}, {bx, by}}, source);
+  };
+  add("B", 0, 0, 2, 0);
+  add("A", 1, 0, 4, 0);
+  add("", 4, 0, 0, 4);
+  add("B", 0, 4, 0, 0);
+  const Drawn drawn{input};
+  const FeatureLayer edges = drawn.edges(), faces = drawn.faces();
+  const auto layers_of = [](const FeatureLayer& layer, std::size_t i) {
+    const auto column = std::ranges::find(layer.columns, "layers") - layer.columns.begin();
+    return std::get<std::string>(layer.features.at(i).values.at(static_cast<std::size_t>(column)));
+  };
+  REQUIRE(edges.features.size() == 5);  // (0,0)-(0,4), -(1,0), (0,4)-(4,0), (1,0)-(2,0), -(4,0)
+  CHECK(layers_of(edges, 0) == "B");
+  CHECK(layers_of(edges, 2) == "");
+  CHECK(layers_of(edges, 3) == "B; A");
+  CHECK(edges.features[3].layer == "B");
+  CHECK(edges.features[4].layer == "A");
+  CHECK(layers_of(faces, 0) == "B; A");
+}
+
 TEST_CASE("DXF has the names of polygons as texts within them") {
   // A U, whose middle is not in it.
   const FeatureLayer rooms{"rooms",

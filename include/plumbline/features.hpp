@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,16 +39,19 @@ struct Features {
   std::vector<FeatureLayer> layers;
   std::string crs;   ///< as SegmentSet::crs
   std::string note;  ///< what is to be known of the numbers; where a format has a place for it
+  std::vector<Layer> drawing_layers = {};  ///< as SegmentSet::layers
+  std::optional<LengthUnit> unit = {};     ///< as SegmentSet::unit
 };
 
 /// The bounded faces of the rounded complex as valid polygons (`polygons`). Columns: `face`, its
 /// index, `area` and `area_exact` of the exact face (where the rounding has merged or split any, of
 /// the polygon itself), `perimeter`,
-/// `depth`, `parent`, `neighbours` ("2 5 7"), `sources` (the elements that bound it, "; " between).
+/// `depth`, `parent`, `neighbours` ("2 5 7"), `layers` (of the drawing, that bound it, "; "
+/// between), `sources` (the elements).
 FeatureLayer face_layer(const ExactComplex& complex, const SegmentSet& input,
                         const Rounding& rounding);
 /// Its edges. Columns: `edge`, `tail`, `head` (vertices), `left`, `right` (faces, 0 the unbounded
-/// one), `sources`.
+/// one), `layers`, `sources` of the segments that cover it; each lies on the layer of the first.
 FeatureLayer edge_layer(const SegmentSet& input, const Rounding& rounding);
 /// Its vertices. Columns: `vertex`, `degree`.
 FeatureLayer vertex_layer(const Rounding& rounding);

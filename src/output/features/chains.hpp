@@ -21,7 +21,7 @@ struct Chains {
 };
 
 /// The chains of edges, as long as can be, that end at nodes: where not just two edges meet, or two
-/// of different kinds, or `is_node` says so. Requires: each pair of points once, a != b. Order: by
+/// of different kinds, or `is_node` says so. Requires: a != b. Order: by
 /// the first edge of each, which it follows from a to b; a closed one begins there where it has no
 /// node. Cost: linear.
 Chains chains(const std::vector<ChainEdge>& edges, const std::vector<bool>& is_node);

@@ -5,6 +5,7 @@
 
 #include "output/features/chains.hpp"
 #include "output/features/dxf_frame.hpp"
+#include "output/features/dxf_tables.hpp"
 #include "output/features/label_place.hpp"
 #include "output/features/numbering.hpp"
 #include "plumbline/features.hpp"
@@ -17,6 +18,7 @@ namespace {
 class DxfFile {
  public:
   explicit DxfFile(const Features& features) : features_(features) {
+    for (const Layer& layer : features.drawing_layers) used(layer.name, colour_index(layer.rgb));
     for (const FeatureLayer& layer : features.layers) {
       for (const Feature& feature : layer.features) {
         for (const auto& part : feature.parts) extend(part);
@@ -40,6 +42,7 @@ class DxfFile {
       }
     }
     frame_.comment = features_.note;
+    frame_.unit = features_.unit ? unit_number(features_.unit->metres) : 0;
     return dxf_file(frame_, std::move(out_));
   }
 
@@ -58,9 +61,9 @@ class DxfFile {
   }
 
   /// The layer's legal name; a row of the table at its first use.
-  const std::string& used(const std::string& name) {
+  const std::string& used(const std::string& name, int colour = kWhiteOrBlack) {
     const std::string& legal = names_.legal(name);
-    if (legal != "0" && listed_.insert(legal).second) frame_.layers.push_back({legal});
+    if (listed_.insert(legal).second) frame_.layers.push_back({legal, colour});
     return legal;
   }
 
@@ -97,15 +100,13 @@ class DxfFile {
   void lines(const FeatureLayer& layer) {
     Numbering<PointD> points;
     Numbering<std::string> kinds;
-    Numbering<std::pair<std::uint32_t, std::uint32_t>> pairs;
     std::vector<ChainEdge> edges;
     for (const Feature& feature : layer.features) {
       const std::uint32_t kind = kinds.number(layer_of(layer, feature));
       const std::vector<PointD>& part = feature.parts[0];
       for (std::size_t i = 0; i + 1 < part.size(); ++i) {
         const ChainEdge edge{points.number(part[i]), points.number(part[i + 1]), kind};
-        if (edge.a == edge.b) continue;
-        if (pairs.number(std::minmax(edge.a, edge.b)) == edges.size()) edges.push_back(edge);
+        if (edge.a != edge.b) edges.push_back(edge);
       }
     }
     const Chains joined = chains(edges, std::vector<bool>(points.things().size()));

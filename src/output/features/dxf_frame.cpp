@@ -7,6 +7,8 @@
 #include <array>
 #include <utility>
 
+#include "output/features/dxf_tables.hpp"
+
 namespace plumbline::features {
 namespace {
 
@@ -133,7 +135,9 @@ class Frame {
   }
 
   void layers(Groups& out) const {
-    table(out, "LAYER", "2", frame_.layers.size() + 1);
+    const bool has_zero =
+        std::ranges::find(frame_.layers, "0", &DxfLayer::name) != frame_.layers.end();
+    table(out, "LAYER", "2", frame_.layers.size() + (has_zero ? 0 : 1));
     const auto add = [&out](const DxfLayer& layer, const char* handle) {
       record(out, "LAYER", "2", "AcDbLayerTableRecord", handle);
       out.text(2, layer.name);
@@ -142,8 +146,8 @@ class Frame {
       out.text(6, "Continuous");
       out.text(390, kPlotStyle);
     };
-    add({"0"}, "10");
-    for (const DxfLayer& layer : frame_.layers) add(layer, nullptr);
+    if (!has_zero) add({"0", kWhiteOrBlack}, "10");
+    for (const DxfLayer& layer : frame_.layers) add(layer, layer.name == "0" ? "10" : nullptr);
     out.text(0, "ENDTAB");
   }
 

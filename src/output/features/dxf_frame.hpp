@@ -10,7 +10,7 @@ namespace plumbline::features {
 /// A row of the table of layers.
 struct DxfLayer {
   std::string name;  ///< legal
-  int colour = 7;    ///< AutoCAD's colour index; negative: off
+  int colour;        ///< AutoCAD's colour index
 };
 
 /// What a DXF R2000 file has around its entities.
@@ -18,7 +18,7 @@ struct DxfFrame {
   std::string comment;
   int unit = 0;  ///< $INSUNITS
   PointD least, greatest;
-  std::vector<DxfLayer> layers;  ///< without "0"
+  std::vector<DxfLayer> layers;  ///< "0" may be among them
 };
 
 /// Handle of the block that entities of the model space belong to.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstdint>
 
 #include "plumbline/features.hpp"
@@ -12,8 +13,15 @@
 namespace plumbline {
 namespace {
 
+void append(std::string& text, double value) {
+  std::array<char, 32> digits{};  // the longest is 24
+  text.append(digits.data(),
+              std::to_chars(digits.data(), digits.data() + digits.size(), value + 0.0).ptr);
+}
+
 void append(std::string& text, const PointD& p) {
-  ((text += shortest_text(p.x)) += ' ') += shortest_text(p.y);
+  append(text, p.x);
+  append(text += ' ', p.y);
 }
 
 void append(std::string& text, const std::vector<PointD>& points, bool is_closed) {
