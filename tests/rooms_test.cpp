@@ -209,6 +209,11 @@ TEST_CASE("the largest circle in a polygon") {
     CHECK(inscribed_circle(sides, 0).radius ==
           Approx(std::numbers::sqrt2 / (1 + std::numbers::sqrt2)).epsilon(0.02));
   }
+  SECTION("a sliver far from the origin, narrower than doubles are apart there") {
+    const double x = 1e6, next = std::nextafter(x, 2e6);
+    CHECK(inscribed_circle(polygon({{x, 0}, {next, 0}, {next, 3}}), 0).radius < 1e-9);
+    CHECK(inscribed_circle(polygon({{x, 0}, {next, 1}, {next, 3}}), 0.1).radius == 0);
+  }
   SECTION("nothing that is narrower than what is asked for is looked into") {
     const auto circle = inscribed_circle(polygon({{0, 0}, {1000, 0}, {1000, 0.1}, {0, 0.1}}), 1);
     CHECK(circle.radius < 1);

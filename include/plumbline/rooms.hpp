@@ -18,7 +18,9 @@ struct RoomOptions {
   /// walls are not; where there is no unit, what parts the widths of faces most clearly, above one
   /// of a 200th to a 20th of the drawing's longer side; a 200th where nothing does.
   std::optional<Rational> min_width;
-  std::optional<LengthUnit> unit;  ///< instead of the one that the drawing has
+  /// Instead of the one that the drawing has, which is not believed where it makes the drawing less
+  /// than 3 m long.
+  std::optional<LengthUnit> unit;
   /// Names of layers whose lines are doors, `*` and `?` standing for any characters, in any case.
   std::vector<std::string> doors = {"*door*"};
 };
@@ -58,7 +60,8 @@ struct Rooms {
   Rational min_area, min_width;       ///< as applied
   std::size_t narrow = 0, small = 0;  ///< bounded faces that are no rooms: not wide, not large
   std::vector<std::size_t> outside;   ///< labels in no room, indices into SegmentSet::labels
-  std::optional<LengthUnit> unit;
+  std::optional<LengthUnit> unit;     ///< as used
+  std::optional<LengthUnit> doubted;  ///< what the drawing says, which would make it tiny
 
   friend bool operator==(const Rooms&, const Rooms&) = default;
 };

@@ -7,14 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
 #include <numbers>
+#include <numeric>
 #include <queue>
 
 namespace plumbline::rooms_steps {
 namespace {
 
 constexpr double kPrecision = 0.02;
+constexpr double kMostSquares = 256;  // of a very long box, in a row
 
 double squared_distance(const PointD& p, const SegmentD& s) {
   const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
@@ -24,11 +26,54 @@ double squared_distance(const PointD& p, const SegmentD& s) {
   return x * x + y * y;
 }
 
+/// Which points are inside: sides by the heights that they reach across.
+class Inside {
+ public:
+  explicit Inside(const std::vector<SegmentD>& sides) : sides_(sides) {
+    low_ = high_ = sides.front().a.y;
+    for (const SegmentD& s : sides) {
+      low_ = std::min(low_, s.a.y);
+      high_ = std::max(high_, s.a.y);
+    }
+    bands_.resize(static_cast<std::size_t>(std::sqrt(static_cast<double>(sides.size()))) + 1);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const auto [low, high] = std::minmax({sides[i].a.y, sides[i].b.y});
+      for (std::size_t band = band_of(low); band <= band_of(high); ++band) {
+        bands_[band].push_back(static_cast<std::uint32_t>(i));
+      }
+    }
+  }
+
+  bool operator()(const PointD& p) const {
+    if (p.y < low_ || p.y > high_) return false;
+    bool inside = false;
+    for (const std::uint32_t i : bands_[band_of(p.y)]) {
+      const auto& [a, b] = sides_[i];
+      if ((a.y > p.y) == (b.y > p.y)) continue;
+      if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+    return inside;
+  }
+
+ private:
+  std::size_t band_of(double y) const {
+    const double part = high_ > low_ ? (y - low_) / (high_ - low_) : 0;
+    return std::min(static_cast<std::size_t>(part * static_cast<double>(bands_.size())),
+                    bands_.size() - 1);
+  }
+
+  const std::vector<SegmentD>& sides_;
+  double low_, high_;
+  std::vector<std::vector<std::uint32_t>> bands_;
+};
+
+using Candidates = std::vector<std::uint32_t>;
+
 struct Square {
   PointD middle;
-  double half = 0;      ///< of a side
-  double distance = 0;  ///< of the middle from the sides; negative outside
-  double most = 0;      ///< no circle with its centre in here has a larger radius
+  double half = 0;  ///< of a side
+  double most = 0;  ///< no circle with its centre in here has a larger radius
+  std::shared_ptr<const Candidates> candidates;  ///< sides that are nearest to some point in here
 
   bool operator<(const Square& other) const {
     if (most != other.most) return most < other.most;
@@ -36,32 +81,21 @@ struct Square {
   }
 };
 
-/// The distance of p from the sides, negative outside.
-double signed_distance(const std::vector<SegmentD>& sides, const PointD& p) {
-  double least = std::numeric_limits<double>::infinity();
-  bool inside = false;
-  for (const SegmentD& s : sides) {
-    least = std::min(least, squared_distance(p, s));
-    if ((s.a.y > p.y) == (s.b.y > p.y)) continue;
-    if (p.x < s.a.x + (p.y - s.a.y) / (s.b.y - s.a.y) * (s.b.x - s.a.x)) inside = !inside;
-  }
-  return inside ? std::sqrt(least) : -std::sqrt(least);
-}
-
 class Search {
  public:
-  Search(const std::vector<SegmentD>& sides, double least) : sides_(sides), least_(least) {}
+  Search(const std::vector<SegmentD>& sides, double least)
+      : sides_(sides), inside_(sides), least_(least) {}
 
   Circle run() {
     cover_box();
     while (!squares_.empty()) {
       const Square square = squares_.top();
       squares_.pop();
-      if (!is_promising(square)) break;
+      if (!is_promising(square.most)) break;
       const double half = square.half / 2;
       for (const double x : {-half, half}) {
         for (const double y : {-half, half}) {
-          look_at({square.middle.x + x, square.middle.y + y}, half);
+          look_at({square.middle.x + x, square.middle.y + y}, half, *square.candidates);
         }
       }
     }
@@ -75,35 +109,53 @@ class Search {
       low = {std::min(low.x, s.a.x), std::min(low.y, s.a.y)};
       high = {std::max(high.x, s.a.x), std::max(high.y, s.a.y)};
     }
-    const double side = std::min(high.x - low.x, high.y - low.y);
-    constexpr double kMostSquares = 256;  // of a very long box, in a row
-    const double step =
-        std::max({side, (high.x - low.x) / kMostSquares, (high.y - low.y) / kMostSquares});
-    if (!(step > 0) || !std::isfinite(step)) return;
-    for (double x = low.x; x < high.x; x += step) {
-      for (double y = low.y; y < high.y; y += step) {
-        look_at({x + step / 2, y + step / 2}, step / 2);
+    const double width = high.x - low.x, height = high.y - low.y;
+    slack_ = kPrecision * least_;
+    if (least_ == 0) slack_ = kPrecision * std::max(width, height) / 20;
+    const double step = std::max(std::min(width, height), std::max(width, height) / kMostSquares);
+    if (std::min(width, height) < 2 * least_ || !(step > 0) || !std::isfinite(step)) return;
+    Candidates all(sides_.size());
+    std::iota(all.begin(), all.end(), std::uint32_t{0});
+    for (int i = 0; i < std::ceil(width / step); ++i) {
+      for (int j = 0; j < std::ceil(height / step); ++j) {
+        look_at({low.x + (i + 0.5) * step, low.y + (j + 0.5) * step}, step / 2, all);
       }
     }
   }
 
-  bool is_promising(const Square& square) const {
-    return square.most > best_.radius * (1 + kPrecision) && square.most >= least_;
+  bool is_promising(double most) const {
+    return most > best_.radius * (1 + kPrecision) + slack_ && most >= least_;
   }
 
-  void look_at(const PointD& middle, double half) {
-    Square square{middle, half, signed_distance(sides_, middle), 0};
-    square.most = square.distance + half * std::numbers::sqrt2;
-    if (square.distance > best_.radius) best_ = {middle, square.distance};
+  void look_at(const PointD& middle, double half, const Candidates& candidates) {
+    distances_.clear();
+    for (const std::uint32_t i : candidates) {
+      distances_.push_back(squared_distance(middle, sides_[i]));
+    }
+    const double distance = std::sqrt(*std::min_element(distances_.begin(), distances_.end()));
+    const bool inside = inside_(middle);
+    if (inside && distance > best_.radius) best_ = {middle, distance};
+    const double reach = half * std::numbers::sqrt2;
+    const double most = (inside ? distance : -distance) + reach;
     // Squares as small as rounding have no prospects.
     const bool is_tiny = middle.x + half == middle.x || middle.y + half == middle.y;
-    if (is_promising(square) && !is_tiny) squares_.push(square);
+    if (!is_promising(most) || is_tiny) return;
+    constexpr double kRounding = 1 + 1e-9;
+    const double furthest = (distance + 2 * reach) * (distance + 2 * reach) * kRounding;
+    auto nearest = std::make_shared<Candidates>();
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (distances_[k] <= furthest) nearest->push_back(candidates[k]);
+    }
+    squares_.push({middle, half, most, std::move(nearest)});
   }
 
   const std::vector<SegmentD>& sides_;
-  double least_;
+  const Inside inside_;
+  const double least_;
+  double slack_ = 0;  ///< what is larger by less than this is no better
   Circle best_;
   std::priority_queue<Square> squares_;
+  std::vector<double> distances_;  ///< of the candidates that are looked at
 };
 
 }  // namespace

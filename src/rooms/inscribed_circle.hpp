@@ -13,9 +13,10 @@ struct Circle {
 };
 
 /// The largest circle in a polygon with the given sides, holes' too, within 2 percent of its
-/// radius; where it is smaller than `least`, one of radius 0 perhaps. **Rounded**. Cost: O(k) for
-/// each square that is looked at; some dozens where the polygon is about as wide as its box,
-/// many where it winds.
+/// radius and of `least` (where that is 0, a thousandth of the polygon); where it is smaller than
+/// `least`, some smaller one. **Rounded**. Cost: for each square that is looked at the sides near
+/// it; some dozens of squares where the polygon is about as wide as its box, about its area by the
+/// square of `least` where it winds.
 Circle inscribed_circle(const std::vector<SegmentD>& sides, double least);
 
 }  // namespace plumbline::rooms_steps

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "plumbline/error.hpp"
 #include "plumbline/polygons.hpp"
@@ -13,6 +14,8 @@ namespace {
 /// What walls are not as wide as, and no room is smaller than, in metres.
 const Rational kLeastWidth(1, 2);
 const Rational kLeastArea(1, 2);
+/// No plan of rooms is smaller, in metres: files say inches or millimetres where nobody chose.
+constexpr double kTiny = 3;
 /// What is not as wide as this part of the drawing is no room where there is no unit.
 constexpr double kLeastPart = 1.0 / 200;
 
@@ -112,9 +115,12 @@ void choose_limits(Rooms& result, const RoomOptions& options, const std::vector<
 
 Rooms wide_faces(const SegmentSet& input, const ExactComplex& complex, const RoomOptions& options) {
   Rooms result;
-  result.unit = options.unit ? options.unit : input.unit;
-  const auto sides = sides_of_faces(complex);
   const double extent = longer_side(complex);
+  result.unit = options.unit ? options.unit : input.unit;
+  if (!options.unit && result.unit && extent * nearest_double(result.unit->metres) < kTiny) {
+    result.doubted = std::exchange(result.unit, {});
+  }
+  const auto sides = sides_of_faces(complex);
   // Of faces that are narrower than this nothing more is asked.
   const double least = options.min_width ? nearest_double(*options.min_width)
                        : result.unit     ? nearest_double(kLeastWidth / result.unit->metres)

@@ -51,6 +51,20 @@ std::string length_text(const Rooms& rooms, const Rational& length) {
   return short_number(nearest_double(length * rooms.unit->metres)) + " m";
 }
 
+std::string unit_line(const Rooms& rooms) {
+  if (rooms.unit) {
+    return fmt::format("a drawing unit is {} m{}\n", exact_text(rooms.unit->metres),
+                       rooms.unit->name.empty() ? "" : " (" + line_text(rooms.unit->name) + ")");
+  }
+  if (rooms.doubted) {
+    return fmt::format(
+        "areas in drawing units: the file says {}, with which all of it would be less than 3 m "
+        "long (--unit)\n",
+        line_text(rooms.doubted->name));
+  }
+  return "areas in drawing units: the file does not say what they are (--unit mm)\n";
+}
+
 std::string left_out(const Rooms& rooms) {
   std::string text;
   if (rooms.narrow > 0) {
@@ -93,9 +107,7 @@ std::string to_text(const Rooms& rooms, const SegmentSet& input,
   }
   std::string text = fmt::format("{}, {} with a name, {} in all\n",
                                  counted(rooms.rooms.size(), "room"), named, area_text(rooms, sum));
-  text += rooms.unit ? fmt::format("a drawing unit is {} m{}\n", exact_text(rooms.unit->metres),
-                                   rooms.unit->name.empty() ? "" : " (" + rooms.unit->name + ")")
-                     : "areas in drawing units: the file does not say what they are (--unit mm)\n";
+  text += unit_line(rooms);
   std::vector<std::size_t> shown(rooms.rooms.size());
   for (std::size_t r = 0; r < shown.size(); ++r) shown[r] = r;
   const std::size_t most = listed.value_or(kShown);
