@@ -5,11 +5,12 @@
 
 #include "output/features/chains.hpp"
 #include "output/features/dxf_frame.hpp"
-#include "output/features/dxf_tables.hpp"
+#include "output/features/dxf_units.hpp"
 #include "output/features/label_place.hpp"
 #include "output/features/numbering.hpp"
 #include "plumbline/features.hpp"
 #include "plumbline/output.hpp"
+#include "structure/colour_index.hpp"
 
 namespace plumbline {
 namespace features {
@@ -18,7 +19,11 @@ namespace {
 class DxfFile {
  public:
   explicit DxfFile(const Features& features) : features_(features) {
-    for (const Layer& layer : features.drawing_layers) used(layer.name, colour_index(layer.rgb));
+    for (const Layer& layer : features.drawing_layers) used(layer.name, colour_number(layer.rgb));
+    constexpr std::size_t kBytes = 160;  // of a line, about
+    std::size_t count = 0;
+    for (const FeatureLayer& layer : features.layers) count += layer.features.size();
+    out_.reserve(kBytes * count);
     for (const FeatureLayer& layer : features.layers) {
       for (const Feature& feature : layer.features) {
         for (const auto& part : feature.parts) extend(part);
@@ -57,11 +62,16 @@ class DxfFile {
   }
 
   const std::string& layer_of(const FeatureLayer& layer, const Feature& feature) {
-    return used(feature.layer.empty() ? layer.name : feature.layer);
+    const std::string& name = feature.layer.empty() ? layer.name : feature.layer;
+    if (last_legal_ == nullptr || last_name_ != name) {
+      last_name_ = name;
+      last_legal_ = &used(name);
+    }
+    return *last_legal_;
   }
 
   /// The layer's legal name; a row of the table at its first use.
-  const std::string& used(const std::string& name, int colour = kWhiteOrBlack) {
+  const std::string& used(const std::string& name, std::int64_t colour = kWhiteOrBlack) {
     const std::string& legal = names_.legal(name);
     if (listed_.insert(legal).second) frame_.layers.push_back({legal, colour});
     return legal;
@@ -164,6 +174,8 @@ class DxfFile {
   Groups out_;
   LayerNames names_;
   std::set<std::string> listed_;
+  std::string last_name_;  ///< of a layer, and what is legal for it
+  const std::string* last_legal_ = nullptr;
   bool is_empty_ = true;
 };
 

@@ -7,8 +7,6 @@
 #include <array>
 #include <utility>
 
-#include "output/features/dxf_tables.hpp"
-
 namespace plumbline::features {
 namespace {
 
@@ -20,15 +18,13 @@ class Frame {
   Frame(const DxfFrame& frame, Groups entities) : frame_(frame), entities_(std::move(entities)) {}
 
   std::string file() {
+    std::string text = entities_.take();
     tables();
     Groups head;
     header(head);
-    std::string text = head.take();
-    text += tables_;
-    text += blocks();
-    text += section("ENTITIES") + entities_.take() + "0\nENDSEC\n";
-    text += objects();
-    return text + "0\nEOF\n";
+    text.insert(0, head.take() + tables_ + blocks() + section("ENTITIES"));
+    ((text += "0\nENDSEC\n") += objects()) += "0\nEOF\n";
+    return text;
   }
 
  private:
@@ -74,7 +70,6 @@ class Frame {
 
   void tables() {
     Groups& out = entities_;  // which numbers the handles
-    const std::string entities = out.take();
     out.append(section("TABLES"));
     viewport(out);
     line_types(out);
@@ -96,7 +91,6 @@ class Frame {
     out.text(0, "ENDSEC");
     handle_seed_ = out.next_handle();
     tables_ = out.take();
-    out.append(entities);
   }
 
   /// The view that shows the whole drawing.

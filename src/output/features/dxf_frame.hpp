@@ -9,8 +9,8 @@ namespace plumbline::features {
 
 /// A row of the table of layers.
 struct DxfLayer {
-  std::string name;  ///< legal
-  int colour;        ///< AutoCAD's colour index
+  std::string name;     ///< legal
+  std::int64_t colour;  ///< AutoCAD's colour index
 };
 
 /// What a DXF R2000 file has around its entities.
@@ -20,6 +20,9 @@ struct DxfFrame {
   PointD least, greatest;
   std::vector<DxfLayer> layers;  ///< "0" may be among them
 };
+
+/// The colour of what is white on black and black on white.
+inline constexpr std::int64_t kWhiteOrBlack = 7;
 
 /// Handle of the block that entities of the model space belong to.
 inline constexpr const char* kModelSpace = "1F";

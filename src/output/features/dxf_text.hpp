@@ -36,6 +36,7 @@ class Groups {
   /// Group 5 with a handle of its own, which it returns.
   std::string handle();
   std::string next_handle() const;
+  void reserve(std::size_t bytes) { text_.reserve(bytes); }
   void append(const std::string& groups) { text_ += groups; }
   std::string take() { return std::move(text_); }
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "read/dxf/colours.hpp"
+#include "structure/colour_index.hpp"
 
 namespace plumbline::dxf {
 

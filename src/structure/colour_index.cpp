@@ -1,9 +1,10 @@
-#include "read/dxf/colours.hpp"
+#include "structure/colour_index.hpp"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
-namespace plumbline::dxf {
+namespace plumbline {
 namespace {
 
 constexpr std::array<std::uint32_t, 10> kFirstColours{
@@ -39,4 +40,21 @@ std::optional<std::uint32_t> rgb_of_colour(std::int64_t number) {
   return rgb;
 }
 
-}  // namespace plumbline::dxf
+std::int64_t colour_number(const std::optional<std::uint32_t>& rgb) {
+  if (!rgb || *rgb == 0) return kWhiteOrBlack;
+  constexpr std::int64_t kLast = 255;
+  std::pair<std::int64_t, std::int64_t> best{0x40000, 0};  // squared distance, number
+  for (std::int64_t number = 1; number <= kLast; ++number) {
+    const std::uint32_t colour = rgb_of_colour(number).value_or(0xffffff);
+    std::int64_t distance = 0;
+    for (const unsigned shift : {0U, 8U, 16U}) {
+      const std::int64_t off = static_cast<std::int64_t>((colour >> shift) & 0xffU) -
+                               static_cast<std::int64_t>((*rgb >> shift) & 0xffU);
+      distance += off * off;
+    }
+    best = std::min(best, {distance, number});
+  }
+  return best.second;
+}
+
+}  // namespace plumbline
