@@ -28,7 +28,13 @@ std::vector<HalfedgeId> nexts(const Incidences& complex) {
 }
 
 /// The simple rings of a closed walk: where it comes to a vertex again, what lies between is one.
-void part(const std::vector<VertexId>& walk, std::vector<VertexRing>& rings) {
+void part(std::vector<VertexId> walk, std::vector<VertexRing>& rings) {
+  std::vector<VertexId> met = walk;
+  std::sort(met.begin(), met.end());
+  if (!walk.empty() && std::adjacent_find(met.begin(), met.end()) == met.end()) {
+    rings.push_back(std::move(walk));
+    return;
+  }
   std::vector<VertexId> open;
   std::unordered_map<std::size_t, std::size_t> place;  // in `open`, by vertex
   for (const VertexId v : walk) {
@@ -71,7 +77,7 @@ class Boundaries {
     std::sort(rings.begin(), rings.end());
     for (VertexRing& ring : rings) {
       ensure(ring.size() > 2, "a ring of a valid complex has three vertices");
-      if (is_counter_clockwise(complex_, ring)) {
+      if (rings.size() == 1 || is_counter_clockwise(complex_, ring)) {
         ensure(result.outer.empty(), "a face of a valid complex has one outer boundary");
         result.outer = std::move(ring);
       } else {
@@ -95,7 +101,7 @@ class Boundaries {
         is_done_[h] = true;
         walk.push_back(complex_.origin(h));
       }
-      part(walk, rings);
+      part(std::move(walk), rings);
     }
   }
 

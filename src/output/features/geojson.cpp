@@ -42,7 +42,7 @@ std::string to_geojson(const Features& features) {
   };
   return document(object(member("type", "FeatureCollection"), head_of(features),
                          member("features", rows(all, row))),
-                  Layout::Dense);
+                  Layout::Dense, bytes_of(features));
 }
 
 }  // namespace plumbline

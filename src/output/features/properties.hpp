@@ -22,6 +22,16 @@ inline auto columns_of(const FeatureLayer& layer, const Feature& feature) {
   });
 }
 
+/// About how many bytes they take.
+inline std::size_t bytes_of(const Features& features) {
+  constexpr std::size_t kFeature = 100, kColumn = 20;
+  std::size_t bytes = 0;
+  for (const FeatureLayer& layer : features.layers) {
+    bytes += layer.features.size() * (kFeature + kColumn * layer.columns.size());
+  }
+  return bytes;
+}
+
 /// What is to be known of all: the reference system and the note.
 inline auto head_of(const Features& features) {
   return members(

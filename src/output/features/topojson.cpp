@@ -36,40 +36,42 @@ class Arcs {
     });
   }
 
-  /// The arcs along a part, as TopoJSON numbers them: ~i for i walked backwards.
-  std::vector<std::int32_t> along(const std::vector<PointD>& part, FeatureGeometry geometry) {
-    std::vector<std::uint32_t> points;
-    for (const PointD& p : part) points.push_back(points_.number(p));
-    if (geometry == FeatureGeometry::Polygon) close(points);
+  /// The arcs along the next part, in their order, as TopoJSON numbers them: ~i for i backwards.
+  /// A ring begins where an arc does.
+  std::vector<std::int32_t> along_next() {
+    const auto edges = part_edges_[next_part_];
+    const auto starts = part_starts_[next_part_++];
+    const auto first = static_cast<std::size_t>(
+        std::ranges::find_if(starts, [this](std::uint32_t p) { return is_end_[p]; }) -
+        starts.begin());
     std::vector<std::int32_t> result;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      if (!is_end_[points[i]] || points[i] == points[i + 1]) continue;
-      const std::uint32_t edge = pairs_.number(std::minmax(points[i], points[i + 1]));
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const std::size_t i = (first + k) % edges.size();
+      if (!is_end_[starts[i]]) continue;
+      const std::uint32_t edge = edges[i];
       const auto chain = static_cast<std::int32_t>(chains_.chain_of[edge]);
-      const bool is_against = (edges_[edge].a != points[i]) != chains_.runs_against[edge];
+      const bool is_against = (edges_[edge].a != starts[i]) != chains_.runs_against[edge];
       result.push_back(is_against ? ~chain : chain);
     }
     return result;
   }
 
  private:
-  /// Has the ring begin, and end, where arcs end.
-  void close(std::vector<std::uint32_t>& ring) const {
-    std::ranges::rotate(ring,
-                        std::ranges::find_if(ring, [this](std::uint32_t p) { return is_end_[p]; }));
-    ring.push_back(ring.front());
-  }
-
   void add(const std::vector<PointD>& part, FeatureGeometry geometry) {
     const bool is_ring = geometry == FeatureGeometry::Polygon;
     std::vector<std::uint32_t> points;
     for (const PointD& p : part) points.push_back(points_.number(p));
     if (is_ring) points.push_back(points.front());
+    std::vector<std::uint32_t> starts, along;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       if (points[i] == points[i + 1]) continue;
       const std::uint32_t edge = pairs_.number(std::minmax(points[i], points[i + 1]));
       if (edge == edges_.size()) edges_.push_back({points[i], points[i + 1]});
+      starts.push_back(points[i]);
+      along.push_back(edge);
     }
+    part_starts_.push_back(starts);
+    part_edges_.push_back(along);
     if (is_ring) return;
     is_node_.resize(points_.things().size());
     is_node_[points.front()] = is_node_[points.back()] = true;
@@ -78,6 +80,8 @@ class Arcs {
   Numbering<PointD> points_;
   Numbering<std::pair<std::uint32_t, std::uint32_t>> pairs_;  ///< of points, per edge
   std::vector<ChainEdge> edges_;
+  Lists<std::uint32_t> part_starts_, part_edges_;  ///< per part its edges, and where each starts
+  std::size_t next_part_ = 0;
   std::vector<bool> is_node_, is_end_;
   Chains chains_;
 };
@@ -90,7 +94,7 @@ namespace {
 
 auto geometry(const FeatureLayer& layer, const Feature& feature, features::Arcs& arcs) {
   const FeatureGeometry type = layer.geometry;
-  const auto along = [&arcs, type](const auto& part) { return arcs.along(part, type); };
+  const auto along = [&arcs](const auto&) { return arcs.along_next(); };
   return object(member("type", type_name(type)),
                 when(type == FeatureGeometry::Point,
                      [&feature] { return member("coordinates", feature.parts[0][0]); }),
@@ -116,7 +120,7 @@ std::string to_topojson(const Features& features) {
                          member("arcs", rows(Numbers(0, arcs.size()),
                                              [&](std::size_t c) { return arcs.arc(c); })),
                          member("objects", object(each(features.layers, object_of)))),
-                  Layout::Dense);
+                  Layout::Dense, bytes_of(features));
 }
 
 }  // namespace plumbline

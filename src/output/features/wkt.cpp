@@ -1,6 +1,7 @@
 // Features as WKT, a geometry a line; as CSV with WKT; as WKB in hexadecimal digits, a geometry a
 // line.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -54,21 +55,28 @@ void append_wkt(std::string& text, FeatureGeometry geometry, const Feature& feat
 }
 
 /// RFC 4180: quotes where a comma, quote or line end is.
-std::string field(const std::string& words) {
-  if (words.find_first_of(",\"\r\n") == std::string::npos) return words;
-  std::string quoted = "\"";
-  for (const char c : words) {
-    if (c == '"') quoted += '"';
-    quoted += c;
+void append_field(std::string& text, const std::string& words) {
+  const bool is_plain = std::ranges::none_of(
+      words, [](char c) { return c == ',' || c == '"' || c == '\r' || c == '\n'; });
+  if (is_plain) {
+    text += words;
+    return;
   }
-  return quoted + '"';
+  text += '"';
+  for (const char c : words) {
+    if (c == '"') text += '"';
+    text += c;
+  }
+  text += '"';
 }
 
-struct FieldOf {
-  std::string operator()(std::monostate) const { return ""; }
-  std::string operator()(double value) const { return shortest_text(value); }
-  std::string operator()(std::int64_t value) const { return std::to_string(value); }
-  std::string operator()(const std::string& value) const { return field(value); }
+struct AppendField {
+  std::string& text;
+
+  void operator()(std::monostate) const {}
+  void operator()(double value) const { append(text, value); }
+  void operator()(std::int64_t value) const { text += std::to_string(value); }
+  void operator()(const std::string& value) const { append_field(text, value); }
 };
 
 /// Bytes as hexadecimal digits, little-endian.
@@ -139,13 +147,21 @@ std::string to_wkb_hex(const Features& features) { return lines_of(features, app
 
 std::string to_csv(const FeatureLayer& layer) {
   std::string text;
-  for (const std::string& column : layer.columns) (text += field(column)) += ',';
+  for (const std::string& column : layer.columns) {
+    append_field(text, column);
+    text += ',';
+  }
   text += "wkt\n";
+  std::string wkt;
   for (const Feature& feature : layer.features) {
-    for (const FeatureValue& value : feature.values) (text += std::visit(FieldOf(), value)) += ',';
-    std::string wkt;
+    for (const FeatureValue& value : feature.values) {
+      std::visit(AppendField{text}, value);
+      text += ',';
+    }
+    wkt.clear();
     append_wkt(wkt, layer.geometry, feature);
-    (text += field(wkt)) += '\n';
+    append_field(text, wkt);
+    text += '\n';
   }
   return text;
 }

@@ -20,6 +20,7 @@ enum class Layout { Readable, Dense };
 class Writer {
  public:
   explicit Writer(Layout layout = Layout::Readable) : is_readable_(layout == Layout::Readable) {}
+  void reserve(std::size_t bytes) { text_.reserve(bytes); }
   std::string take() { return std::move(text_) + '\n'; }
 
   template <class T>
@@ -166,10 +167,11 @@ Part part_of(T part) {
   return [part = std::move(part)](Writer& writer) { writer.part(part); };
 }
 
-/// The text of a file.
+/// The text of a file, of about so many bytes.
 template <class T>
-std::string document(const T& value, Layout layout = Layout::Readable) {
+std::string document(const T& value, Layout layout = Layout::Readable, std::size_t bytes = 0) {
   Writer writer(layout);
+  writer.reserve(bytes);
   writer.value(value);
   return writer.take();
 }
