@@ -209,13 +209,30 @@ expect "decimals are rounded safely too" 0 'rounded to 3 decimals: same incidenc
 expect "in the numbers of the file" 0 '"nearest": .1, 0.333.' grep 0.333 s.json
 expect "rounded edges are a drawing" 0 'wrote s.lines' "$plumbline" arrange above.lines --safe --decimals 1 -o s.lines
 expect "with the same complex" 0 '4 vertices, 3 edges' "$plumbline" arrange s.lines
-expect "edges are written safely only" 0 'proven|verified' "$plumbline" arrange above.lines -o s.lines
+expect "edges that are no decimals are written safely" 0 'proven' "$plumbline" arrange cross.lines -o s.lines
+printf '0,0,2,1\n1,-1,1,5\n' >halves.lines
+"$plumbline" arrange halves.lines -o s.lines >halves.txt
+expect "decimals as they are" 0 '^0,0,1,0.5' cat s.lines
+expect "without rounding" 1 '^$' grep proven halves.txt
+rm halves.lines halves.txt
 expect "decimals belong to --safe" 2 'safe' "$plumbline" arrange above.lines --decimals 3 -o s.json
+"$plumbline" arrange "$examples/office-plan.svg" --safe -o rounded.lines >/dev/null
 for kind in geojson wkt csv wkb; do
   expect "faces are written as polygons ($kind)" 0 "same incidences, proven.*wrote rooms.$kind" "$plumbline" arrange "$examples/office-plan.svg" -o "rooms.$kind"
   expect "which are the drawing's faces" 0 "^agree" "$plumbline" check "$examples/office-plan.svg" --against "rooms.$kind"
+  expect "and those of the rounded one at tolerance 0" 0 "^agree" "$plumbline" check rounded.lines --against "rooms.$kind" --tolerance 0
   rm -f "rooms.$kind"
 done
+expect "a LAR model is exact" 0 "wrote m.lar.json" "$plumbline" arrange "$examples/office-plan.svg" -o m.lar.json
+expect "and has all cells" 0 "^agree" "$plumbline" check "$examples/office-plan.svg" --against m.lar.json
+"$plumbline" arrange "$examples/office-plan.svg" --safe --format lar -o m.json >/dev/null
+expect "or rounded" 0 "^agree" "$plumbline" check rounded.lines --against m.json --tolerance 0
+expect "DXF has the edges" 0 "same incidences, proven.*wrote e.dxf" "$plumbline" arrange "$examples/office-plan.svg" -o e.dxf
+"$plumbline" arrange e.dxf --safe -o back.lines >/dev/null
+expect "which are read as they were" 0 '^$' cmp rounded.lines back.lines
+expect "TopoJSON has the faces" 0 "same incidences, proven.*wrote f.topojson" "$plumbline" arrange "$examples/office-plan.svg" -o f.topojson
+expect "OBJ has triangles" 0 "same incidences, proven.*wrote f.obj" "$plumbline" arrange "$examples/office-plan.svg" -o f.obj
+rm -f rounded.lines back.lines m.lar.json m.json e.dxf f.topojson f.obj
 expect "edges and vertices are layers" 0 'wrote c.geojson' "$plumbline" arrange "$examples/dwelling.svg" --cells edges,vertices -o c.geojson
 expect "that say which they are" 0 '"layer":"vertices"' grep -m1 -o '"layer":"vertices"' c.geojson
 expect "in decimals as well" 0 'wrote c.geojson' "$plumbline" arrange "$examples/dwelling.svg" --decimals 3 -o c.geojson

@@ -65,9 +65,9 @@ struct ArrangeArguments : DrawingArguments {
   std::optional<std::string> output;
   std::optional<std::string> format;  ///< of the output
   std::optional<std::string> certificate;
-  bool compact = false;  ///< JSON as short arrays
-  bool safe = false;     ///< prove that what is written, rounded, is a valid complex
-  std::vector<std::string> cells = {"faces"};  ///< of a file of features
+  bool compact = false;            ///< JSON as short arrays
+  bool safe = false;               ///< prove that what is written, rounded, is a valid complex
+  std::vector<std::string> cells;  ///< of features; none: edges of DXF, else faces
   Grid grid;
 };
 

@@ -57,10 +57,13 @@ std::string line(const Drawing& drawing, const Grid& grid, const Rounding& round
                      changes_text(c), movement);
 }
 
-Features features_of(const ArrangeArguments& arguments, const Drawing& drawing,
-                     const Rounding& rounding) {
-  Features features{{}, drawing.input.crs, note_of(rounding)};
-  for (const std::string& cells : arguments.cells) {
+Features features_of(std::string_view format, const ArrangeArguments& arguments,
+                     const Drawing& drawing, const Rounding& rounding) {
+  Features features{
+      {}, drawing.input.crs, note_of(rounding), drawing.input.layers, drawing.input.unit};
+  std::vector<std::string> chosen = arguments.cells;
+  if (chosen.empty()) chosen.emplace_back(format == "dxf" ? "edges" : "faces");
+  for (const std::string& cells : chosen) {
     if (cells == "faces") {
       features.layers.push_back(face_layer(drawing.complex, drawing.input, rounding));
     } else if (cells == "edges") {
@@ -78,6 +81,8 @@ struct FeatureWriter {
 };
 constexpr std::array kFeatureWriters{
     FeatureWriter{"geojson", to_geojson},
+    FeatureWriter{"topojson", to_topojson},
+    FeatureWriter{"dxf", to_dxf},
     FeatureWriter{"wkt", to_wkt},
     FeatureWriter{"csv", [](const Features& features) { return to_csv(features.layers.front()); }},
     FeatureWriter{"wkb", to_wkb_hex},
@@ -99,7 +104,14 @@ constexpr std::array kComplexWriters{
                   [](const Drawing& d, const Grid&, const Rounding& rounding) {
                     return to_svg(rounding.complex, d.input.y_up);
                   }},
-    ComplexWriter{"lines", true, nullptr,
+    ComplexWriter{
+        "obj", false, nullptr,
+        [](const Drawing&, const Grid&, const Rounding& rounding) { return to_obj(rounding); }},
+    ComplexWriter{"lar", true, [](const Drawing& d) { return to_lar_json(d.complex); },
+                  [](const Drawing&, const Grid&, const Rounding& rounding) {
+                    return to_lar_json(rounding.complex);
+                  }},
+    ComplexWriter{"lines", true, [](const Drawing& d) { return to_lines(d.complex); },
                   [](const Drawing&, const Grid&, const Rounding& rounding) {
                     return to_lines(rounding.complex);
                   }},
@@ -130,8 +142,9 @@ ComplexFile rounded_file(std::string_view format, const ArrangeArguments& argume
     }
     file.line += "\nread as doubles, these decimals are no valid complex";
   }
-  file.content = writer == nullptr ? feature_file(format, features_of(arguments, drawing, rounding))
-                                   : writer->rounded(drawing, arguments.grid, rounding);
+  file.content = writer == nullptr
+                     ? feature_file(format, features_of(format, arguments, drawing, rounding))
+                     : writer->rounded(drawing, arguments.grid, rounding);
   return file;
 }
 
@@ -151,7 +164,9 @@ bool is_always_rounded(std::string_view format) {
 ComplexFile complex_file(std::string_view format, const ArrangeArguments& arguments,
                          const Drawing& drawing) {
   if (arguments.compact) return {to_compact_json(drawing.complex, drawing.input), ""};
-  if (arguments.safe || is_always_rounded(format)) return rounded_file(format, arguments, drawing);
+  const bool lacks_digits = format == "lines" && !are_decimals(drawing.complex);
+  if (arguments.safe || is_always_rounded(format) || lacks_digits)
+    return rounded_file(format, arguments, drawing);
   return {writer_of(format)->exact(drawing), ""};
 }
 

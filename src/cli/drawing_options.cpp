@@ -143,13 +143,13 @@ void add_check_outputs(CLI::App& command, CheckArguments& arguments) {
 
 void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
   command.option_defaults()->group("Output");
-  CLI::Option* output = add_output(command, arguments.output, arguments.format,
-                                   "Write the complex to a .json or .svg file; what --cells says, "
-                                   "proven to be valid in doubles, "
-                                   "to " +
-                                       listed_endings(feature_formats()) +
-                                       "; its edges, proven too, to a .lines file",
-                                   complex_formats());
+  CLI::Option* output =
+      add_output(command, arguments.output, arguments.format,
+                 "Write the complex to a .json, .svg or .lar.json file (V, FV, EV); its "
+                 "edges to a .lines file; what --cells says to " +
+                     listed_endings(feature_formats()) +
+                     ", and all of it to .obj, proven to be valid in doubles",
+                 complex_formats());
   CLI::Option* compact =
       command
           .add_flag("--compact", arguments.compact,
@@ -170,8 +170,9 @@ void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
       ->type_name("N");
   command
       .add_option("--cells", arguments.cells,
-                  "What files of features hold: faces (the default), edges, vertices, or several, "
-                  "with commas; of several, each feature of a .geojson file says which it is")
+                  "What files of features hold: faces, edges, vertices, or several, with commas "
+                  "[default: edges of .dxf, else faces]; of several, each feature of a .geojson "
+                  "file says which it is")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->transform(one_of({"faces", "edges", "vertices"}))

@@ -22,8 +22,11 @@ std::string content(std::string_view format, const RoomsArguments& arguments,
   const Progress progress(fmt::format("rounding {} vertices", drawing.complex.vertices.size()),
                           arguments);
   const Rounding rounding = safely_rounded(drawing.complex, {}, {arguments.threads, {}});
-  return feature_file(format,
-                      {{room_layer(found, rounding)}, drawing.input.crs, note_of(rounding)});
+  return feature_file(format, {{room_layer(found, rounding)},
+                               drawing.input.crs,
+                               note_of(rounding),
+                               drawing.input.layers,
+                               drawing.input.unit});
 }
 
 Summary summary_of(const Room& room, std::size_t number) {
