@@ -52,7 +52,8 @@ class LarJsonReader {
     if (depth_ == 0) fail("neither an object nor an array");
     const bool is_value_of_member = depth_ == 1 && !is_list_;
     if (is_value_of_member && section_ == Section::Other) return;
-    const bool is_fraction = kind == JsonScalar::String && in_point();  // "1/3"
+    const bool is_fraction =
+        kind == JsonScalar::String && in_point() && text.find('/') != std::string_view::npos;
     if (kind != JsonScalar::Number && !is_fraction) fail("not a number", text);
     if (is_value_of_member) {
       if (section_ != Section::IndexBase) fail("not a list", text);

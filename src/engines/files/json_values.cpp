@@ -28,7 +28,9 @@ double number(const JsonValue& value) {
 }
 
 double coordinate(const JsonValue& value) {
-  if (!value.is(JsonType::String)) expect(value, JsonType::Number, "a number");
+  const bool is_fraction =
+      value.is(JsonType::String) && value.text().find('/') != std::string_view::npos;
+  if (!is_fraction) expect(value, JsonType::Number, "a number");
   double result = 0;
   try {
     result = nearest_double(parse_number(value.text()));
