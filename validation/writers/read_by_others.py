@@ -123,7 +123,8 @@ def geojson(files):
         demand(properties["area"] == area.numerator / area.denominator, "area is not the double nearest to area_exact")
         off = abs(area_of(rings) - area)
         demand(off <= (rounding_bound(rings) if same else 0), "the polygon has another area")
-    files.check(files.folder / "faces.geojson", "--tolerance", "0")
+    if faces:  # a file without features claims nothing
+        files.check(files.folder / "faces.geojson", "--tolerance", "0")
     files.check(files.folder / "edges.geojson", "--tolerance", "0")
     by_gdal = shapely.from_wkb(pyogrio.raw.read(files.folder / "faces.geojson")[2])
     demand(collections.Counter(map(key_of_shape, by_gdal)) == files.polygons, "GDAL reads other polygons")
@@ -135,7 +136,8 @@ def wkt_csv_wkb(files):
         shapes = [parse(line) for line in lines]
         demand(all(map(shapely.is_valid, shapes)), f"a polygon of .{kind} is invalid")
         demand(collections.Counter(map(key_of_shape, shapes)) == files.polygons, f"other polygons in .{kind}")
-        files.check(files.folder / f"f.{kind}", "--tolerance", "0")
+        if shapes:
+            files.check(files.folder / f"f.{kind}", "--tolerance", "0")
     csv.field_size_limit(1 << 30)
     with open(files.write("f.csv", ["--cells", "edges"]), newline="", encoding="utf-8") as text:
         rows = list(csv.DictReader(text))
