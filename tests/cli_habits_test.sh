@@ -23,6 +23,7 @@ expect "from a named pipe" 0 "$exact" timeout 60 "$plumbline" arrange pipe.svg
 for form in geojson wkt csv wkb; do
   expect "what is written to a pipe is read from it ($form)" 0 ' 8 faces' bash -c "'$plumbline' arrange plan.svg -o - --format $form 2>/dev/null | '$plumbline' arrange -"
 done
+expect "a result is read from a pipe" 0 '^agree' bash -c "'$plumbline' arrange plan.svg -o - --format wkt 2>/dev/null | '$plumbline' check plan.svg --against -"
 expect "what has no certain format asks for it" 2 'tell no format' bash -c "echo text | '$plumbline' info -"
 expect "which --from says" 0 '1 segments' bash -c "echo 0,0,1,1 | '$plumbline' info - --from csv"
 expect "or an ending that lies" 0 "$exact" bash -c "cp plan.svg plan.txt; '$plumbline' arrange plan.txt --from svg"
@@ -80,8 +81,9 @@ rm office.svg good.svg
 expect "help is a command" 0 'Commands:.*arrange.*check' "$plumbline" help
 expect "of a command, too" 0 'Usage: plumbline check .OPTIONS. FILE.*Comparison:.*--radius R' "$plumbline" help check
 expect "the version has a short form" 0 '^plumbline [0-9.]+$' "$plumbline" -V
-for command in arrange check eval info lar random; do
-  expect "no line of the help of $command is longer than 100" 1 '^$' bash -c "'$plumbline' $command --help | grep -E '.{101}'"
+expect "help is of help" 0 'Commands:' "$plumbline" help help
+for command in '' arrange check eval info lar random; do
+  expect "no line is longer than 100: help $command" 1 '^$' bash -c "'$plumbline' $command --help | grep -E '.{101}'"
 done
 expect "a command with a typing error" 2 '"chek"; did you mean check\?' "$plumbline" chek plan.svg
 expect "also where help is asked for" 2 'did you mean check\?' "$plumbline" help chek
@@ -110,6 +112,7 @@ if command -v script >/dev/null; then
   for plain in NO_COLOR=1 TERM=dumb; do
     expect "but not with $plain" 1 '^$' bash -c "$(declare -f on_terminal); on_terminal $plain '$plumbline' check '$examples/hospital-emergency.svg' | grep \$'\\e'"
   done
+  expect "no line is longer than 100 there" 1 '^$' bash -c "$(declare -f on_terminal); on_terminal TERM=dumb '$plumbline' check '$examples/office-plan.svg' --list 9 | tr -d '\\r' | grep -E '.{101}'"
   expect "help fits a narrow terminal" 0 '--from FORMAT[[:space:]]+Format of' on_terminal TERM=dumb "$plumbline" check --help
 fi
 

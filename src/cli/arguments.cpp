@@ -90,7 +90,7 @@ void settle_flags(CLI::App& app) {
 /// "help" and "help COMMAND" in the words of options.
 std::vector<std::string> without_help_command(std::vector<std::string> arguments) {
   if (arguments.empty() || arguments[0] != "help") return arguments;
-  arguments.erase(arguments.begin());
+  std::erase(arguments, "help");
   arguments.resize(std::min<std::size_t>(arguments.size(), 1));
   arguments.emplace_back("--help");
   return arguments;

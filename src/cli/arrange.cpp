@@ -28,6 +28,7 @@ std::string quoted_options(const std::string& name, const std::vector<std::strin
 /// The options with which a drawing becomes the same segments again.
 std::string reading_options(const ReadOptions& reading) {
   std::string options;
+  if (!reading.format.empty()) options += " --from " + reading.format;
   if (sgn(reading.chord_tolerance) > 0) {
     options += " --flatten " + exact_text(reading.chord_tolerance);
   }
@@ -50,8 +51,10 @@ void write_certificate(const ArrangeArguments& arguments, const Drawing& drawing
   write_file(*arguments.certificate, certificate(drawing.complex, drawing.input));
   report.say_written(*arguments.certificate);
   // What was rejected, the checker may not be able to read.
-  const bool is_plain = arguments.file.ends_with(".lines") && drawing.input.rejected.empty();
-  const std::string file = line_text(arguments.file);
+  const bool is_plain = arguments.file.ends_with(".lines") && arguments.reading.format.empty() &&
+                        drawing.input.rejected.empty();
+  const std::string file =
+      arguments.file == "/dev/stdin" ? "SAME-INPUT" : line_text(arguments.file);
   const std::string of = line_text(*arguments.certificate);
   const std::string lines = is_plain ? file : of + ".lines";
   report.print("to check it: {}plumbline-verify {} {}\n",

@@ -97,8 +97,8 @@ void add_comparison(CLI::App& command, CheckArguments& arguments) {
       ->type_name("R");
   CLI::Option* against =
       command
-          .add_option(
-              "--against", arguments.against,
+          .add_option_function<std::string>(
+              "--against", [&](const std::string& name) { arguments.against = file_of(name); },
               "Check this result, made by another program, and not float LAR's: LAR (V, FV, EV) "
               "as JSON; polygons and lines as GeoJSON, WKT, WKB, CSV; what arrange -o and lar "
               "--trace write")

@@ -14,10 +14,6 @@ constexpr const char* kFile =
     "A drawing: .svg, .svgz, .dxf, .lines, .geojson, .json, .wkt, .wkb or .csv; - is standard "
     "input";
 
-std::string file_of(const std::string& argument) {
-  return argument == "-" ? "/dev/stdin" : argument;
-}
-
 /// A number of bytes: "512M", "4G", "4GiB"; powers of 1024.
 std::uint64_t bytes(const std::string& size) {
   std::string number = size;
@@ -38,6 +34,10 @@ double seconds(const std::string& text) {
 }
 
 }  // namespace
+
+std::string file_of(const std::string& argument) {
+  return argument == "-" ? "/dev/stdin" : argument;
+}
 
 CLI::Validator integer(std::int64_t least, std::int64_t most) {
   const auto refuse = [least, most](const std::string& text) {

@@ -19,6 +19,8 @@ CLI::App* add_command(CLI::App& app, LarArguments& arguments);
 CLI::App* add_command(CLI::App& app, EvalArguments& arguments);
 CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
 
+/// The file of an argument: "-" is standard input.
+std::string file_of(const std::string& argument);
 /// A drawing; `what` is what the help says of it.
 void add_file(CLI::App& command, InputArguments& arguments, const char* what = nullptr);
 /// How drawings are read, and what all commands have.

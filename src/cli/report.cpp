@@ -2,6 +2,7 @@
 
 #include <rapidjson/prettywriter.h>
 #include <rapidjson/stringbuffer.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,6 +78,13 @@ std::string json_text(const Summary& summary) {
   json.SetIndent(' ', 2);
   write(json, summary);
   return std::string(text.GetString(), text.GetSize()) + '\n';
+}
+
+void Report::print_text(const std::string& text) {
+  constexpr std::size_t kLeast = 80, kMost = 100;
+  const bool is_folded = ::isatty(::fileno(stream_)) != 0;
+  fmt::print(stream_, "{}",
+             is_folded ? folded(text, std::clamp(columns_of(stream_), kLeast, kMost)) : text);
 }
 
 std::string Report::verdict(const std::string& text, ExitCode code) const {

@@ -53,11 +53,11 @@ class Report {
  public:
   explicit Report(const Manners& manners) : manners_(manners) {}
 
-  /// Text, which --json and --quiet leave out.
+  /// Text, which --json and --quiet leave out; on a terminal in lines of at most 100 columns.
   template <class... T>
   void print(fmt::format_string<T...> format, T&&... arguments) {
     if (!manners_.json && !manners_.quiet) {
-      fmt::print(stream_, "{}", fmt::format(format, std::forward<T>(arguments)...));
+      print_text(fmt::format(format, std::forward<T>(arguments)...));
     }
   }
   /// A member of the summary.
@@ -81,6 +81,8 @@ class Report {
   const std::string& headline() const { return headline_; }
 
  private:
+  void print_text(const std::string& text);
+
   Manners manners_;
   std::FILE* stream_ = stdout;
   Summary summary_;

@@ -18,6 +18,15 @@ std::string_view variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
+/// Where the text of a line begins: behind blanks, or behind a title ("signature    5c...").
+std::size_t indent_of(std::string_view line) {
+  constexpr std::size_t kWidestTitle = 20;
+  const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+  const std::size_t gap = line.find("  ", begin);
+  if (begin > 0 || gap > kWidestTitle) return begin + 2;
+  return std::min(line.find_first_not_of(' ', gap), line.size());
+}
+
 }  // namespace
 
 bool is_screen(std::FILE* stream) {
@@ -49,6 +58,23 @@ std::size_t columns_of(std::FILE* stream) {
 
 std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, is_start));
+}
+
+std::string folded(std::string_view text, std::size_t width) {
+  std::string result;
+  for (std::size_t end = 0; !text.empty(); text.remove_prefix(std::min(end + 1, text.size()))) {
+    end = std::min(text.find('\n'), text.size());
+    std::string line(text.substr(0, end));
+    const std::string indent(indent_of(line), ' ');
+    while (width_of(line) > width) {
+      const std::size_t fits = cut(line, width + 1).rfind(' ');
+      if (fits == std::string::npos || fits <= indent.size()) break;
+      result += line.substr(0, fits) + '\n';
+      line = indent + line.substr(fits + 1);
+    }
+    result += line + (end < text.size() ? "\n" : "");
+  }
+  return result;
 }
 
 std::string cut(std::string_view text, std::size_t width) {

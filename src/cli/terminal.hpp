@@ -25,4 +25,8 @@ std::size_t columns_of(std::FILE* stream);
 std::size_t width_of(std::string_view text);
 std::string cut(std::string_view text, std::size_t width);
 
+/// The text with lines of at most so many characters, broken at blanks; what is broken off stands
+/// below what it belongs to.
+std::string folded(std::string_view text, std::size_t width);
+
 }  // namespace plumbline::cli

@@ -65,7 +65,8 @@ std::string said(const CLI::ParseError& error) {
     return before(text, " excludes ") + " and " + text.substr(text.rfind(' ') + 1) +
            " do not go together";
   if (kind == "ConversionError")
-    return before(text.substr(text.find("--")), " = ") + " takes no such value";
+    return before(text.substr(std::min(text.find("--"), text.size())), " = ") +
+           " takes no such value";
   if (kind != "ArgumentMismatch") return text;
   if (ends_with(text, " was given a disallowed flag override")) {
     return (text.starts_with('-') ? "" : "--") + text + " takes no value";

@@ -50,7 +50,7 @@ Engine inters_with_svg2lines(const Drawing& drawing) {
   if (drawing.unit_square) {
     throw Error(ErrorCode::BadInput, "svg2lines is told of the drawing as it is in the file");
   }
-  if (drawing.file.extension() != ".svg") {
+  if (drawing.file.extension() != ".svg" || !std::filesystem::is_regular_file(drawing.file)) {
     throw Error(ErrorCode::BadInput, "svg2lines reads .svg files", {drawing.file.string(), 0, 0});
   }
   return inters::engine({{}, text_of(drawing.file)});

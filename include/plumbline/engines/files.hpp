@@ -28,7 +28,8 @@ struct Result {
 };
 
 /// The result in a file; `complex_from_faces` says what becomes of faces that overlap, leave gaps
-/// or are otherwise wrong. Numbers are read as the nearest doubles. By the file name's ending:
+/// or are otherwise wrong. Numbers are read as the nearest doubles. By the file name's ending, or
+/// as `read` takes what has none, and pipes:
 /// - `.geojson`, `.json`: GeoJSON. Each polygon is a face, lines are edges between successive
 ///   points. Points with the same coordinates are one vertex.
 /// - `.wkt`, `.wkb`, `.csv`: the same in well-known text or binary, as `read` takes them.

@@ -1,5 +1,7 @@
 #include "plumbline/engines/files.hpp"
 
+#include <array>
+
 #include "engines/files/readers.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/read.hpp"
@@ -10,19 +12,17 @@
 namespace plumbline::files {
 namespace {
 
-namespace fs = std::filesystem;
-
-Result read_json_result(const fs::path& file) {
-  ByteStream beginning(file);
+Result read_json_result(const InputFile& file) {
+  ByteStream beginning = file.stream();
   const JsonKind kind = json_kind(beginning);
-  ByteStream bytes(file);
+  ByteStream bytes = file.stream();
   switch (kind) {
     case JsonKind::GeoJson:
       return read_features(bytes, plumbline::read_geojson);
     case JsonKind::Arrangement:
       return read_arrangement(bytes);
     case JsonKind::Lar: {
-      ByteStream list(file);
+      ByteStream list = file.stream();
       return is_line_list(list) ? read_features(bytes, plumbline::read_line_list) : read_lar(bytes);
     }
     case JsonKind::LarTrace:
@@ -31,7 +31,7 @@ Result read_json_result(const fs::path& file) {
       break;
   }
   throw Error(ErrorCode::BadInput, "a LAR structure is a drawing and no result",
-              {file.string(), 0, 0});
+              {file.name(), 0, 0});
 }
 
 }  // namespace
@@ -46,22 +46,16 @@ void note_lost_faces(Result& result, std::size_t face_count) {
   item.text = std::to_string(lost) + (lost == 1 ? " face" : " faces");
 }
 
-Result read(const fs::path& file) {
-  check_is_file(file);
-  checked_size(file, kMaxStreamedFileSize);
-  const std::string ending = lower_case_ending(file);
-  if (ending == ".json") return read_json_result(file);
-  FeatureReader reader = nullptr;
-  if (ending == ".geojson") reader = plumbline::read_geojson;
-  if (ending == ".wkt") reader = plumbline::read_wkt;
-  if (ending == ".wkb") reader = plumbline::read_wkb;
-  if (ending == ".csv") reader = plumbline::read_csv;
-  if (reader == nullptr) {
-    throw Error(ErrorCode::BadInput,
-                "unknown file name ending of a result; known are .json .geojson .wkt .wkb .csv",
-                {file.string(), 0, 0}, ending);
-  }
-  ByteStream bytes(file);
+Result read(const std::filesystem::path& path) {
+  constexpr std::array<std::string_view, 5> kKnown{"json", "geojson", "wkt", "wkb", "csv"};
+  const InputFile file(path);
+  const std::string format = file.format(kKnown, "", " of a result");
+  if (format == "json") return read_json_result(file);
+  FeatureReader reader = plumbline::read_geojson;
+  if (format == "wkt") reader = plumbline::read_wkt;
+  if (format == "wkb") reader = plumbline::read_wkb;
+  if (format == "csv") reader = plumbline::read_csv;
+  ByteStream bytes = file.stream();
   return read_features(bytes, reader);
 }
 
