@@ -120,7 +120,9 @@ void add_comparison(CLI::App& command, CheckArguments& arguments) {
 
 void add_check_outputs(CLI::App& command, CheckArguments& arguments) {
   command.option_defaults()->group("Output");
-  command.add_option("-o,--output", arguments.output, "Write all findings to a JSON file")
+  command
+      .add_option("-o,--output", arguments.output,
+                  "Write all findings to a JSON file; - is standard output, here and below")
       ->type_name("FILE");
   command
       .add_option("--picture", arguments.picture,
@@ -237,7 +239,9 @@ void add_diagnosis(CLI::App& command, InfoArguments& arguments) {
                   "Write the defects as points to a GeoJSON file, for QGIS and OGR")
       ->needs(diagnose)
       ->type_name("FILE");
-  command.add_option("-o,--output", arguments.output, "Write the diagnosis to a JSON file")
+  command
+      .add_option("-o,--output", arguments.output,
+                  "Write the diagnosis to a JSON file; - is standard output, here and below")
       ->needs(diagnose)
       ->type_name("FILE");
   command.add_option("--picture", arguments.picture, "Draw the defects to an SVG file")

@@ -31,7 +31,9 @@ constexpr std::array kPictures{
 void add_lar_outputs(CLI::App& command, LarArguments& arguments) {
   std::vector<std::string> pictures;
   for (const NamedPicture& picture : kPictures) pictures.emplace_back(picture.name);
-  command.add_option("-o,--output", arguments.output, "Write a picture to an SVG file")
+  command
+      .add_option("-o,--output", arguments.output,
+                  "Write a picture to an SVG file; - is standard output")
       ->type_name("FILE");
   command
       .add_option_function<std::string>(

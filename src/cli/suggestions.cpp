@@ -60,7 +60,7 @@ CLI::Validator one_of(std::vector<std::string> names) {
     }
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string meant = did_you_mean(lower, names);
-    return "not " + (value.empty() ? "nothing" : value) +
+    return "not " + (value.empty() ? "an empty text" : value) +
            (meant.empty() ? ", but " : meant + " It is ") + listed(known);
   };
   return {choose, described};

@@ -30,7 +30,8 @@ std::size_t indent_of(std::string_view line) {
 }  // namespace
 
 bool is_screen(std::FILE* stream) {
-  return ::isatty(::fileno(stream)) != 0 && variable("TERM") != "dumb";
+  const std::string_view kind = variable("TERM");
+  return ::isatty(::fileno(stream)) != 0 && !kind.empty() && kind != "dumb";
 }
 
 bool has_colour(std::FILE* stream) { return is_screen(stream) && variable("NO_COLOR").empty(); }

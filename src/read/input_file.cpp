@@ -105,8 +105,8 @@ std::string InputFile::format(std::span<const std::string_view> known, const std
     ByteStream bytes = stream();
     format = format_by_first_bytes(bytes.ahead(kBeginning));
     if (format.empty()) {
-      throw Error(ErrorCode::BadInput,
-                  "no file name ending, and the first bytes tell no format (--from says it)",
+      const std::string why = bytes.at_end() ? "it is empty" : "the first bytes tell no format";
+      throw Error(ErrorCode::BadInput, "no file name ending, and " + why + " (--from says it)",
                   {name(), 0, 0});
     }
   }

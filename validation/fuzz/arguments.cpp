@@ -72,6 +72,7 @@ void check_command(const cli::LarArguments& arguments) {
   check_number(arguments.picture.explode);
 }
 void check_command(const cli::EvalArguments& arguments) { check_input(arguments); }
+void check_command(const cli::RoomsArguments& arguments) { check_input(arguments); }
 void check_command(const cli::RandomArguments& arguments) {
   check_limits(arguments.limits);
   check_number(arguments.scaling);
