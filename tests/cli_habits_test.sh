@@ -114,6 +114,10 @@ if command -v script >/dev/null; then
     expect "but not with $plain" 1 '^$' bash -c "$(declare -f on_terminal); on_terminal $plain '$plumbline' check '$examples/hospital-emergency.svg' | grep \$'\\e'"
   done
   expect "no line is longer than 100 there" 1 '^$' bash -c "$(declare -f on_terminal); on_terminal TERM=dumb '$plumbline' check '$examples/office-plan.svg' --list 9 | tr -d '\\r' | grep -E '.{101}'"
+  "$plumbline" random 50000 --scaling 0.5 -q -o many.lines
+  expect "progress fits a narrow terminal, with its per cent" 2 $'\rarranging +[0-9]+ % [0-9]+ s' on_terminal TERM=xterm "$plumbline" arrange many.lines --threads 1 --timeout 8
+  expect "a terminal that is none is not told to wipe" 1 '^$' bash -c "$(declare -f on_terminal); on_terminal TERM=dumb '$plumbline' arrange many.lines --threads 1 --timeout 5 | grep \$'\\e'"
+  rm many.lines
   expect "help fits a narrow terminal" 0 '--from FORMAT[[:space:]]+Format of' on_terminal TERM=dumb "$plumbline" check --help
 fi
 

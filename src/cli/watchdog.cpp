@@ -11,6 +11,7 @@
 #include <initializer_list>
 
 #include "cli/memory_limit.hpp"
+#include "cli/terminal.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -39,7 +40,7 @@ void write_error(std::string_view text) {
 }
 
 void wipe_progress() {
-  if (::isatty(STDERR_FILENO) != 0) write_error("\r\033[K");
+  if (is_screen(stderr)) write_error("\r\033[K");
 }
 
 /// Ends as the signal would have ended it, so that a shell's loop ends, too.
