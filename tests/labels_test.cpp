@@ -47,7 +47,7 @@ TEST_CASE("an MTEXT is one line without its formatting, its pieces joined") {
   CHECK(plain_text("\\pxqc;\\C1;mid\\A", true) == "mid");
   CHECK(plain_text("{a\\b}  c ", false) == "{a\\b} c");
   CHECK(plain_text("%%c10 90%%d %%P1 %%uA%%u 5%%% %%065", false) ==
-        "\u230010 90\u00b0 \u00b11 A 5% A");
+        "\u00d810 90\u00b0 \u00b11 A 5% A");
 }
 
 TEST_CASE("attributes of inserts are labels unless invisible, definitions only where constant") {

@@ -67,7 +67,7 @@ class PlainText {
     switch (text_.front()) {
       case 'c':
       case 'C':
-        result_ += "\u2300";
+        result_ += "\u00d8";
         break;
       case 'd':
       case 'D':

@@ -1,5 +1,8 @@
 #include "read/svg/unapplied.hpp"
 
+#include <array>
+#include <cstring>
+
 #include "read/attribute.hpp"
 #include "read/svg/element.hpp"
 #include "read/svg/style.hpp"
@@ -35,23 +38,38 @@ void add_style_sheets(const SvgIndex& index, std::vector<SvgUnapplied>& list) {
   }
 }
 
-bool has_property(const pugi::xml_node& element, const char* name) {
-  const std::string_view value = presentation(element, name);
-  return !value.empty() && value != "none";
+/// Whether an element may have a property: a cheap look at the texts of its attributes.
+bool mentions(const pugi::xml_node& element, const char* property) {
+  for (const pugi::xml_attribute& attribute : element.attributes()) {
+    const std::string_view name = attribute.name();
+    if (name == property) return true;
+    if (name == "style" && std::strstr(attribute.value(), property) != nullptr) return true;
+  }
+  return false;
 }
 
-/// What has this property, counted with the first of them.
-void add_property(const pugi::xml_node& root, const char* name, std::vector<SvgUnapplied>& list) {
-  std::size_t count = 0;
-  pugi::xml_node first;
+/// What has each of these properties, counted with the first of them.
+void add_properties(const pugi::xml_node& root, std::vector<SvgUnapplied>& list) {
+  struct Found {
+    const char* name;
+    pugi::xml_node first;
+    std::size_t count = 0;
+  };
+  std::array<Found, 2> all{{{"clip-path", {}}, {"mask", {}}}};
   for (auto node = root; node; node = next_below(root, node)) {
-    if (node.type() != pugi::node_element || !has_property(node, name)) continue;
-    if (count++ == 0) first = node;
+    for (Found& found : all) {
+      if (!mentions(node, found.name)) continue;
+      const std::string_view value = presentation(node, found.name);
+      if (value.empty() || value == "none") continue;
+      if (found.count++ == 0) found.first = node;
+    }
   }
-  if (count == 0) return;
-  const std::string what = std::string(name) + " is not applied: what it hides is drawn";
-  list.push_back({first, count == 1 ? what : what + " (" + std::to_string(count) + " of them)",
-                  std::string(presentation(first, name))});
+  for (const Found& found : all) {
+    if (found.count == 0) continue;
+    std::string what = std::string(found.name) + " is not applied: what it hides is drawn";
+    if (found.count > 1) what += " (" + std::to_string(found.count) + " of them)";
+    list.push_back({found.first, what, std::string(presentation(found.first, found.name))});
+  }
 }
 
 }  // namespace
@@ -60,7 +78,7 @@ std::vector<SvgUnapplied> unapplied(const pugi::xml_node& root, const SvgIndex& 
   std::vector<SvgUnapplied> list;
   add_root(root, list);
   add_style_sheets(index, list);
-  for (const char* name : {"clip-path", "mask"}) add_property(root, name, list);
+  add_properties(root, list);
   return list;
 }
 
