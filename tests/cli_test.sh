@@ -34,18 +34,21 @@ expect "what takes no part is listed with its line" 0 'image.*line 2' "$plumblin
 svg '<circle r="1"/><g display="none"><line x2="4"/></g>' >c.svg
 expect "curves are flattened as told, and the ledger says so" 0 '20 segments.*circle by 20 chords within 0.03' "$plumbline" arrange c.svg --flatten 0.03
 expect "what is hidden is listed" 0 'hidden' "$plumbline" info c.svg
-expect "or drawn" 0 '2 components' "$plumbline" info c.svg --hidden
+expect "or drawn" 0 '69 segments, 0 rejected' "$plumbline" info c.svg --hidden
 expect "the old option for that has no effect and says so" 0 '--visible has no effect' "$plumbline" info c.svg --visible
 expect "each command has these options" 0 '1 rejected' "$plumbline" lar c.svg --flatten 1/4
 svg '<g id="walls"><line x2="4"/></g><g id="doors"><line x2="3" y2="1"/></g>' >d.svg
 expect "layers are chosen by patterns" 0 '1 elements, 1 segments, 1 rejected' "$plumbline" info d.svg --layers 'w*,WALLS' --layers walls
-expect "or left out" 0 '1 elements, 1 segments' "$plumbline" arrange d.svg --without-layers 'Walls'
+expect "or left out" 0 '1 elements, 1 segments, 1 rejected' "$plumbline" info d.svg --without-layers 'Walls'
 expect "a pattern without a layer is an error that names them" 2 'there are walls, doors: "roof"' "$plumbline" check d.svg --layers roof
 expect "a certificate's command chooses the same" 0 "eval d.svg --layers 'w.*'" "$plumbline" arrange d.svg --layers 'w*' --certify d.certificate
 rm d.svg d.certificate
 expect "a tolerance is positive" 2 'not positive.*"0"' "$plumbline" check c.svg --flatten 0
 expect "a tolerance is a number" 2 'not a number.*"fine"' "$plumbline" check c.svg --flatten fine
 rm c.svg
+svg '<text>Hall</text>' >texts.svg
+expect "a drawing of nothing but texts is none" 2 'nothing of the file is drawn: it has no segments' "$plumbline" info texts.svg
+rm texts.svg
 svg '' >empty.svg
 expect "an empty drawing is a drawing" 0 '0 vertices, 0 edges.*1 faces' "$plumbline" arrange empty.svg -o empty.json
 expect "but nothing to agree about" 2 'nothing of the file is drawn.*--lenient' "$plumbline" check empty.svg

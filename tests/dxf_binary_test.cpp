@@ -128,5 +128,5 @@ TEST_CASE("a line break in a text does not break the sequence of groups") {
       .text(0, "EOF");
   CHECK(listing(read_dxf(writer.bytes(), "a.dxf")) ==
         "0 0, 1 1 | a.dxf:10 LINE (0)\n"
-        "rejected:\na.dxf:6 TEXT (0): annotation is not read\n");
+        "rejected:\na.dxf:6 TEXT (0): has no group 10\n");
 }

@@ -38,6 +38,12 @@ TEST_CASE("a TEXT is a label where it stands, a justified one at its alignment p
   CHECK(of_dxf("0 TEXT 8 A 10 1 20 2 1 %%u").empty());
 }
 
+TEST_CASE("a text without a place is listed, and nothing is lost with it") {
+  const auto set = evaluate(plumbline::read_dxf(dxf_with("0 TEXT 8 A 1 Bath 10 x 20 2"), "a.dxf"));
+  CHECK(rejected_of(set) == "a.dxf:6 TEXT (A): not a number: group 10: x\n");
+  CHECK(lost_of(set).empty());
+}
+
 TEST_CASE("an MTEXT is one line without its formatting, its pieces joined") {
   CHECK(of_dxf("0 MTEXT 8 A 10 1 20 2 71 5 3 {\\fArial|b0; 3 Living\\P 1 room}") ==
         "Living room at 1 2 | a.dxf:6 MTEXT (A)\n");

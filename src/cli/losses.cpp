@@ -39,7 +39,7 @@ void ensure_all_drawn(const InputArguments& arguments, const std::string& file,
 
 void ensure_all_drawn(const InputArguments& arguments, const SegmentSet& input) {
   ensure_all_drawn(arguments, arguments.file, input.rejected,
-                   input.segments.empty() && !input.rejected.empty());
+                   input.segments.empty() && !(input.rejected.empty() && input.labels.empty()));
 }
 
 }  // namespace plumbline::cli

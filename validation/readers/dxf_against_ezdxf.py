@@ -122,7 +122,7 @@ def read_with_ezdxf(file, size):
     current = reading()
     not_drawn = collections.Counter()
     for kind in kinds:
-        if kind in STRAIGHT | CURVED | COMPOSED | {"INSERT"}:
+        if kind in STRAIGHT | CURVED | COMPOSED | {"INSERT", "MLINE"}:
             continue
         for space in spaces:
             for entity in list(space.query(kind)):
@@ -196,8 +196,8 @@ def compare(program, file):
     theirs, not_drawn = read_with_ezdxf(file, size)
     straight = [s for s in theirs.segments if s[1][:2] != s[1][2:]]
     pairs, worst, extra, missing = match(ours, straight, size)
-    only_ours = [s for s in extra if s[0] in STRAIGHT]
-    extra = [s for s in extra if s[0] not in STRAIGHT]
+    only_ours = [s for s in extra if s[0] in STRAIGHT | {"MLINE"}]
+    extra = [s for s in extra if s[0] not in STRAIGHT | {"MLINE"}]
     curves = [points for origin, points in theirs.curves if not origin.endswith(TILTED)]
     chords = [shapely.geometry.LineString([s[:2], s[2:]]) for _, s in extra]
     pieces = [shapely.geometry.LineString(pair) for points in curves for pair in zip(points, points[1:])]

@@ -172,11 +172,15 @@ void EntityReader::add_insert(const Entity& entity, const Source& source, std::s
 
 void EntityReader::add_text(const Entity& entity, const Source& source, Space& in,
                             const std::string& layer) {
-  auto text = text_of(entity, names_, &in != &drawing_.spaces.front());
-  if (!text) return;
-  Model model{source, {}};
-  model.labels.push_back(*std::move(text));
-  in.add(layer, std::move(model));
+  try {
+    auto text = text_of(entity, names_, &in != &drawing_.spaces.front());
+    if (!text) return;
+    Model model{source, {}};
+    model.labels.push_back(*std::move(text));
+    in.add(layer, std::move(model));
+  } catch (const Unusable& problem) {
+    in.tally.refuse(in.placed(source, layer), {problem.reason, problem.text, true});  // no lines
+  }
 }
 
 void EntityReader::add_drawn(DrawnEntity drawn, const Source& source, std::size_t space,
