@@ -117,6 +117,9 @@ TEST_CASE("malformed structures are refused with their place") {
        "not polygon, part"},
       {with_body(R"({"lines": [[[0, 0], [1, 1]]], "rings": [[0, 2, "line"]]})"),
        "not the lines of a"},
+      {with_body(R"({"lines": [], "labels": [{"text": "a", "place": [1]}]})"), "not a point of"},
+      {with_body(R"({"lines": [], "labels": [{"text": "a", "row": 1}]})"), "not of a row"},
+      {with_body(R"({"lines": [], "labels": [{}]})"), "no member \"text\""},
       {with_body("7"), "not an object: \"7\""},
       {R"({"root": "S", "defs": )", "not JSON"},
   }));
@@ -148,6 +151,10 @@ TEST_CASE("a structure that is written is read back, equal") {
   REQUIRE(lines.rows.at(0).segment_count == 2);
   lines.row_ids = {"first"};
   lines.rows[0].id = 1;
+  lines.source.layer = "walls";
+  lines.labels = {{"A", plumbline::NumberPoint{Rational(1, 3), Rational(1, 2)}, 0}, {"B", {}, 1}};
+  structure.unit = plumbline::LengthUnit{"US survey ft", Rational(1200, 3937)};
+  structure.layers = {{"walls", 0xff0000, true}, {"0", {}, false}};
   structure.structs[structure.root].body.emplace_back(lines);
   structure.structs.push_back(
       {"", "grid", {cuboids({2, 1}, true), Affine{0, 1, 1, 0, Rational(1, 3), 0}}});

@@ -23,12 +23,16 @@ class StructJsonReader {
     const JsonValue root = tree_.root();
     expect(root, JsonType::Object, "an object");
     expect_members(root, {"root", "defs", "description", "files", "rejected", "remarks", "ledger",
-                          "y_up", "crs"});
-    if (const JsonValue y_up = root.find("y_up")) {
-      expect(y_up, JsonType::Bool, "true or false");
-      structure_.y_up = y_up.text() == "true";
-    }
+                          "y_up", "crs", "unit", "layers"});
+    if (const JsonValue y_up = root.find("y_up")) structure_.y_up = bool_of(y_up);
     if (const JsonValue crs = root.find("crs")) structure_.crs = string_of(crs);
+    if (const JsonValue unit = root.find("unit")) read_unit(unit);
+    for_each(root.find("layers"), {"name", "rgb", "hidden"}, [&](const JsonValue& item) {
+      Layer layer{member(item, "name"), {}, false};
+      if (const JsonValue rgb = item.find("rgb")) layer.rgb = index_of(rgb);
+      if (const JsonValue hidden = item.find("hidden")) layer.hidden = bool_of(hidden);
+      structure_.layers.push_back(std::move(layer));
+    });
     read_files(root.find("files"));
     const JsonValue defs = root.find("defs");
     if (!defs) root.fail("no member \"defs\"");
@@ -50,15 +54,23 @@ class StructJsonReader {
   }
 
  private:
+  void read_unit(const JsonValue& unit) {
+    expect(unit, JsonType::Object, "an object");
+    expect_members(unit, {"name", "metres"});
+    const JsonValue metres = unit.find("metres");
+    if (!metres) unit.fail("no member \"metres\"");
+    structure_.unit = LengthUnit{member(unit, "name"), number_of(metres, numbers_).rational()};
+    if (sgn(structure_.unit->metres) <= 0) metres.fail("not a length");
+  }
+
   void read_losses(const JsonValue& root) {
     const auto source = [this](const JsonValue& item) {
       return source_of(item, "", structure_.files);
     };
     for_each(root.find("rejected"), {"reason", "text", "harmless"}, [&](const JsonValue& item) {
       const JsonValue harmless = item.find("harmless");
-      if (harmless) expect(harmless, JsonType::Bool, "true or false");
       structure_.rejected.push_back({source(item), member(item, "reason"), member(item, "text"),
-                                     harmless && harmless.text() == "true"});
+                                     harmless && bool_of(harmless)});
     });
     for_each(root.find("remarks"), {"what", "text"}, [&](const JsonValue& item) {
       structure_.remarks.push_back({source(item), member(item, "what"), member(item, "text")});

@@ -137,8 +137,30 @@ void read_rings(const JsonValue& rings, Model& model) {
   }
 }
 
+void read_labels(const JsonValue& labels, Model& model, Numbers& numbers) {
+  expect(labels, JsonType::Array, "a list of labels");
+  for (JsonValue label = labels.first(); label; label = label.next()) {
+    expect(label, JsonType::Object, "an object");
+    expect_members(label, {"text", "place", "row"});
+    const JsonValue text = label.find("text");
+    if (!text) label.fail("no member \"text\"");
+    Model::Text result{string_of(text), {}};
+    if (const JsonValue place = label.find("place")) {
+      expect(place, JsonType::Array, "a point");
+      if (place.size() != 2) place.fail("not a point of the plane");
+      const JsonValue x = place.first();
+      result.place = NumberPoint{number_of(x, numbers), number_of(x.next(), numbers)};
+    }
+    if (const JsonValue row = label.find("row")) result.row = index_of(row);
+    const std::size_t rows = model.rows.empty() ? 1 : model.rows.size();
+    const bool is_behind = model.labels.empty() || model.labels.back().row <= result.row;
+    if (result.row >= rows || !is_behind) label.fail("not of a row, in the order of rows");
+    model.labels.push_back(std::move(result));
+  }
+}
+
 Model lines(const JsonValue& value, const std::vector<std::string>& files, Numbers& numbers) {
-  expect_members(value, {"type", "lines", "rows", "rings"});
+  expect_members(value, {"type", "lines", "rows", "rings", "labels"});
   Model result;
   result.source = source_of(value, "lines", files);
   const JsonValue list = value.find("lines");
@@ -158,6 +180,7 @@ Model lines(const JsonValue& value, const std::vector<std::string>& files, Numbe
   }
   if (const JsonValue rows = value.find("rows")) read_rows(rows, result);
   if (const JsonValue rings = value.find("rings")) read_rings(rings, result);
+  if (const JsonValue labels = value.find("labels")) read_labels(labels, result, numbers);
   return result;
 }
 

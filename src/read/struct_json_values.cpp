@@ -15,8 +15,8 @@ void expect(const JsonValue& value, JsonType type, const char* what) {
 namespace {
 
 /// The members of a source.
-constexpr std::array<std::string_view, 6> kSource{"file",    "line", "column",
-                                                  "element", "id",   "path"};
+constexpr std::array<std::string_view, 7> kSource{"file", "line", "column", "element",
+                                                  "id",   "path", "layer"};
 
 }  // namespace
 
@@ -34,6 +34,11 @@ void expect_members(const JsonValue& object, std::initializer_list<std::string_v
 std::string string_of(const JsonValue& value) {
   expect(value, JsonType::String, "a string");
   return valid_line(value.text());
+}
+
+bool bool_of(const JsonValue& value) {
+  expect(value, JsonType::Bool, "true or false");
+  return value.text() == "true";
 }
 
 std::uint32_t index_of(const JsonValue& value) {
@@ -80,6 +85,7 @@ Source source_of(const JsonValue& value, const char* element,
   if (const JsonValue name = value.find("element")) result.element = string_of(name);
   if (const JsonValue id = value.find("id")) result.id = string_of(id);
   if (const JsonValue path = value.find("path")) result.path = string_of(path);
+  if (const JsonValue layer = value.find("layer")) result.layer = string_of(layer);
   return result;
 }
 

@@ -17,13 +17,14 @@ void expect(const JsonValue& value, JsonType type, const char* what);
 void expect_members(const JsonValue& object, std::initializer_list<std::string_view> known);
 std::string string_of(const JsonValue& value);
 std::uint32_t index_of(const JsonValue& value);
+bool bool_of(const JsonValue& value);
 /// A decimal, or a string with one or with "p/q".
 Number number_of(const JsonValue& value, Numbers& numbers);
 std::vector<Rational> rationals_of(const JsonValue& list, Numbers& numbers);
 
-/// The members of a source (`file`, `line`, `column`, `element`, `id`, `path`), of which each may
-/// be missing. Without a line: the place of the value itself in the last of the files, under its id
-/// or the name of its definition.
+/// The members of a source (`file`, `line`, `column`, `element`, `id`, `path`, `layer`), of which
+/// each may be missing. Without a line: the place of the value itself in the last of the files,
+/// under its id or the name of its definition.
 Source source_of(const JsonValue& value, const char* element,
                  const std::vector<std::string>& files);
 

@@ -6,7 +6,8 @@ namespace plumbline::json {
 
 inline auto source_members(const Source& s) {
   return members(member("file", s.file), member("line", s.line), member("column", s.column),
-                 member("element", s.element), member("id", s.id), member("path", s.path));
+                 member("element", s.element), member("id", s.id), member("path", s.path),
+                 when(!s.layer.empty(), [&s] { return member("layer", s.layer); }));
 }
 
 /// "rejected", "remarks" and "ledger".

@@ -49,6 +49,36 @@ auto map_member(const Affine& map) {
 using Row = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
 using RowWithId = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::string_view>;
 
+/// A text that stands somewhere, or the name of an element; in a table of which row.
+auto label(const Model::Text& text) {
+  return object(member("text", text.text),
+                when(text.place.has_value(),
+                     [&text] {
+                       const auto& [x, y] = *text.place;
+                       return member("place",
+                                     std::tuple(decimal(x.rational()), decimal(y.rational())));
+                     }),
+                when(text.row > 0, [&text] { return member("row", text.row); }));
+}
+
+/// What a drawing unit is and which layers there are, where the files say it.
+Part drawing_members(const Structure& structure) {
+  const auto layer = [](const Layer& l) {
+    return object(member("name", l.name),
+                  when(l.rgb.has_value(), [&l] { return member("rgb", *l.rgb); }),
+                  when(l.hidden, [] { return member("hidden", true); }));
+  };
+  const auto unit = [&structure] {
+    return member("unit", object(member("name", structure.unit->name),
+                                 member("metres", decimal(structure.unit->metres))));
+  };
+  const auto layers = [&structure, layer] {
+    return member("layers", list(structure.layers, layer));
+  };
+  return part_of(
+      members(when(structure.unit.has_value(), unit), when(!structure.layers.empty(), layers)));
+}
+
 auto lines_members(const Model& model) {
   const auto line = [&model](std::size_t i) {
     const auto numbers = model.segments.numbers(i);
@@ -61,12 +91,15 @@ auto lines_members(const Model& model) {
   return members(
       source_members(model.source), member("lines", list(model.segments.size(), line)),
       when(!model.rows.empty(), [&model, row] { return member("rows", list(model.rows, row)); }),
-      when(!model.rings.empty(), [&model] {
-        return member("rings", list(model.rings, [](const Ring& ring) {
-                        return std::tuple(ring.first, ring.count,
-                                          std::string_view(to_text(ring.role)));
-                      }));
-      }));
+      when(!model.rings.empty(),
+           [&model] {
+             return member("rings", list(model.rings, [](const Ring& ring) {
+                             return std::tuple(ring.first, ring.count,
+                                               std::string_view(to_text(ring.role)));
+                           }));
+           }),
+      when(!model.labels.empty(),
+           [&model] { return member("labels", list(model.labels, label)); }));
 }
 
 /// A name for each Struct: its own where no earlier one has it, else one with its number.
@@ -118,7 +151,7 @@ std::string to_json(const Structure& structure) {
   const std::vector<std::string> keys = names(structure);
   const Items items{keys};
   return document(object(member("root", items.name(structure.root)), member("y_up", structure.y_up),
-                         crs_member(structure.crs),
+                         crs_member(structure.crs), drawing_members(structure),
                          member("defs", object(each(Numbers(0, keys.size()),
                                                     [&](std::size_t s) {
                                                       return member(keys[s],
