@@ -6,6 +6,7 @@
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/geometry/layers.hpp"
 #include "rooms/inscribed_circle.hpp"
 #include "support/segments.hpp"
 
@@ -218,4 +219,31 @@ TEST_CASE("the largest circle in a polygon") {
     const auto circle = inscribed_circle(polygon({{0, 0}, {1000, 0}, {1000, 0.1}, {0, 0.1}}), 1);
     CHECK(circle.radius < 1);
   }
+}
+
+TEST_CASE("lines of chosen layers alone, with what belongs to them") {
+  SegmentSet input;
+  const auto add = [&](const std::string& layer, const std::string& lines, bool is_ring) {
+    Source source;
+    source.layer = layer;
+    const SourceId id = input.add_source(source);
+    const auto first = static_cast<std::uint32_t>(input.segments.size());
+    for (const Segment& s : segments(lines).segments) input.add(s, id);
+    const auto count = static_cast<std::uint32_t>(input.segments.size()) - first;
+    if (is_ring) input.rings.push_back({first, count, RingRole::Polygon});
+    input.labels.push_back({id, layer, Point{1, 1}});
+  };
+  add("Furniture", rectangle(1, 1, 2, 2), true);
+  add("Walls", rectangle(0, 0, 4, 4), true);
+  add("Walls inside", "2 0 2 4\n", false);
+  input.rounding = {0, 0, 0, 0, 1, 1, 1, 1, 2};
+  const SegmentSet walls = on_layers(input, {"wall*"});
+  CHECK(walls.segments.size() == 5);
+  CHECK(walls.rounding == std::vector<double>{1, 1, 1, 1, 2});
+  CHECK(walls.rings == std::vector<Ring>{{0, 4, RingRole::Polygon}});
+  CHECK(walls.labels == input.labels);
+  CHECK(walls.sources[walls.segment_source[4]].layer == "Walls inside");
+  CHECK(on_layers(input, {"*"}).segments == input.segments);
+  CHECK_THROWS_WITH(on_layers(input, {"Walls", "Doors"}),
+                    Catch::Matchers::Contains("Furniture, Walls, Walls inside"));
 }

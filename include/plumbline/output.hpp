@@ -153,5 +153,8 @@ std::string to_json(const Rooms& rooms, const SegmentSet& input);
 /// A plan: rooms in colours, different ones beside each other, with number, first name and area; a
 /// list of them and a scale bar.
 std::string to_svg(const Rooms& rooms, const SegmentSet& input, const ExactComplex& complex);
+/// The plan with a table of rooms beside it, to search and to sort: one file that loads nothing
+/// else.
+std::string to_html(const Rooms& rooms, const SegmentSet& input, const ExactComplex& complex);
 
 }  // namespace plumbline

@@ -28,6 +28,9 @@ using Watch = std::function<bool(const std::string& what, double part)>;
 struct DrawingOptions {
   ReadOptions reading;
   bool unit_square = false;  ///< maps the drawing to the unit square first, as LAR does for SVG
+  /// Layers whose lines are arranged, as `on_layers` takes them; all where there are none. Labels
+  /// of the others are kept.
+  std::vector<std::string> walls;
   ExactEngine exact_engine = ExactEngine::Bucket;
   bool both_engines = false;  ///< arranges with the other engine, too, and compares
   std::size_t threads = 0;    ///< 0: as many as there are cores; does not change the result

@@ -56,9 +56,10 @@ inline EvaluateOptions limits_of(const InputArguments& arguments) {
 /// How it is arranged.
 struct DrawingArguments : InputArguments {
   ExactEngine exact_engine = ExactEngine::Bucket;
-  std::size_t threads = 0;    ///< 0: as many as there are cores
-  bool both_engines = false;  ///< arrange with both and compare
-  bool unit_square = false;   ///< map the drawing to the unit square first
+  std::size_t threads = 0;              ///< 0: as many as there are cores
+  bool both_engines = false;            ///< arrange with both and compare
+  std::vector<std::string> walls = {};  ///< layers that are arranged; none: all
+  bool unit_square = false;             ///< map the drawing to the unit square first
 };
 
 struct ArrangeArguments : DrawingArguments {
@@ -108,6 +109,7 @@ struct RoomsArguments : DrawingArguments {
   std::optional<std::string> output;
   std::optional<std::string> format;  ///< of the output
   std::optional<std::string> picture;
+  std::optional<std::string> report;
 };
 
 struct LarArguments : InputArguments {

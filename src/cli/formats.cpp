@@ -53,7 +53,7 @@ std::vector<std::string_view> complex_formats() {
 
 std::vector<std::string_view> rooms_formats() {
   std::vector<std::string_view> names = feature_formats();
-  names.insert(names.end(), {"json", "svg"});
+  names.insert(names.end(), {"json", "svg", "html"});
   return names;
 }
 

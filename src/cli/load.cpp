@@ -11,6 +11,7 @@ Drawing load(const DrawingArguments& arguments) {
   std::string step;
   DrawingOptions options;
   options.reading = arguments.reading;
+  options.walls = arguments.walls;
   options.unit_square = arguments.unit_square;
   options.exact_engine = arguments.exact_engine;
   options.both_engines = arguments.both_engines;

@@ -19,6 +19,7 @@ std::string content(std::string_view format, const RoomsArguments& arguments,
                     const Drawing& drawing, const Rooms& found) {
   if (format == "json") return to_json(found, drawing.input);
   if (format == "svg") return to_svg(found, drawing.input, drawing.complex);
+  if (format == "html") return to_html(found, drawing.input, drawing.complex);
   const Progress progress(fmt::format("rounding {} vertices", drawing.complex.vertices.size()),
                           arguments);
   const Rounding rounding = safely_rounded(drawing.complex, {}, {arguments.threads, {}});
@@ -60,7 +61,8 @@ void set_rooms(Report& report, const Rooms& found) {
 
 ExitCode run(const RoomsArguments& arguments, Report& report) {
   const Output output{arguments.output, rooms_formats(), arguments.format};
-  if (check_outputs(arguments.file, {output, {arguments.picture, {"svg"}}})) {
+  if (check_outputs(arguments.file,
+                    {output, {arguments.picture, {"svg"}}, {arguments.report, {"html"}}})) {
     report.leave_standard_output();
   }
   const Drawing drawing = load(arguments);
@@ -82,6 +84,9 @@ ExitCode run(const RoomsArguments& arguments, Report& report) {
   }
   if (arguments.picture) {
     write(*arguments.picture, to_svg(found, drawing.input, drawing.complex));
+  }
+  if (arguments.report) {
+    write(*arguments.report, to_html(found, drawing.input, drawing.complex));
   }
   return kAgree;
 }

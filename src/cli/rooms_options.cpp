@@ -55,12 +55,20 @@ CLI::App* add_command(CLI::App& app, RoomsArguments& arguments) {
              "Write the rooms, as valid polygons with what is known of them", rooms_formats());
   command->add_option("--picture", arguments.picture, "Draw a plan of the rooms to an SVG file")
       ->type_name("FILE");
+  command->add_option("--report", arguments.report, "Write an HTML page: the plan and a list")
+      ->type_name("FILE");
   command
       ->add_option("--list", arguments.listed,
                    "Print the N largest rooms [default: as many as fit on a screen]")
       ->check(integer(0))
       ->type_name("N");
   command->option_defaults()->group("Rooms");
+  command
+      ->add_option("--walls", arguments.walls,
+                   "Layers whose lines bound rooms, with commas; * and ? stand for any characters; "
+                   "texts of all layers are read [default: all layers]")
+      ->delimiter(',')
+      ->type_name("LAYERS");
   add_size(*command, "--min-width", arguments.rooms.min_width,
            "A room is so wide that a circle of this diameter fits in, in drawing units [default: "
            "0.5 m; without a unit, what parts walls from rooms best]");

@@ -2,6 +2,7 @@
 
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/geometry/layers.hpp"
 #include "plumbline/pipeline.hpp"
 
 namespace plumbline {
@@ -36,6 +37,7 @@ Drawing exact_answer(const std::filesystem::path& file, const DrawingOptions& op
   tell(options.watch, "reading " + file.string());
   drawing.structure = read(file, options.reading);
   drawing.input = evaluate(drawing.structure, {kMaxEvaluatedWords, options.reading.max_segments});
+  if (!options.walls.empty()) drawing.input = on_layers(std::move(drawing.input), options.walls);
   if (options.unit_square) drawing.input = lar::to_unit_square(drawing.input);
   drawing.complex = arranged(drawing.input, options.exact_engine, options,
                              fmt::format("arranging {} segments", drawing.input.segments.size()));

@@ -6,12 +6,9 @@
 #include <vector>
 
 #include "plumbline/error.hpp"
+#include "plumbline/geometry/layers.hpp"
 
 namespace plumbline {
-
-/// Whether a text is what a pattern stands for: `*` for any characters, `?` for one, letters of
-/// ASCII in either case.
-bool matches_pattern(std::string_view text, std::string_view pattern);
 
 /// Which layers of a drawing are read, by ReadOptions::layers and without_layers.
 class LayerChoice {

@@ -1,10 +1,9 @@
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
+#include "plumbline/geometry/layers.hpp"
 #include "rooms/steps.hpp"
 
 namespace plumbline::rooms_steps {
@@ -28,7 +27,7 @@ class Doors {
       const std::string layer = input.sources[s].layer;
       is_door_.push_back(!layer.empty() &&
                          std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
-                           return fnmatch(glob.c_str(), layer.c_str(), FNM_CASEFOLD) == 0;
+                           return matches_pattern(layer, glob);
                          }));
     }
   }

@@ -6,8 +6,10 @@ namespace plumbline {
 
 /// The files of src/web as they are, put into the library at build time by
 /// cmake/embed.cmake.
-extern const std::string_view kPageBody;    ///< page.html
-extern const std::string_view kPageStyle;   ///< page.css
-extern const std::string_view kPageScript;  ///< bundle/report.js
+extern const std::string_view kPageBody;     ///< page.html
+extern const std::string_view kPageStyle;    ///< page.css
+extern const std::string_view kPageScript;   ///< bundle/report.js
+extern const std::string_view kRoomsStyle;   ///< rooms.css
+extern const std::string_view kRoomsScript;  ///< bundle/rooms.js
 
 }  // namespace plumbline

@@ -9,6 +9,7 @@
 
 #include "output/svg/kit.hpp"
 #include "output/svg/panel.hpp"
+#include "output/svg/rooms.hpp"
 #include "output/svg/sheet.hpp"
 #include "output/text/rooms.hpp"
 #include "plumbline/error.hpp"
@@ -103,6 +104,13 @@ std::string words_in(const Rooms& rooms, std::size_t r, const svg::Frame& frame)
   return text;
 }
 
+std::string swatch(const PointD& corner, const char* colour) {
+  return fmt::format(
+      "<rect x=\"{}\" y=\"{}\" width=\"12\" height=\"12\" fill=\"{}\" stroke=\"{}\" "
+      "stroke-width=\"0.5\"/>\n",
+      corner.x, corner.y, colour, svg::kInk);
+}
+
 /// The rooms beside the plan, as many as there is space for.
 std::string list_of(const Rooms& rooms, double left, double top, double bottom) {
   const auto space = static_cast<std::size_t>(std::max(1.0, (bottom - top) / kLine - 1));
@@ -112,10 +120,7 @@ std::string list_of(const Rooms& rooms, double left, double top, double bottom) 
       rooms.rooms.size() <= space ? rooms.rooms.size() : std::max<std::size_t>(space, 2) - 1;
   for (std::size_t r = 0; r < shown; ++r) {
     const double y = top + kLine * static_cast<double>(r + 1);
-    text += fmt::format(
-        "<rect x=\"{}\" y=\"{}\" width=\"12\" height=\"12\" fill=\"{}\" stroke=\"{}\" "
-        "stroke-width=\"0.5\"/>\n",
-        left, y - 11, kColours[colours[r] % kColours.size()], svg::kInk);
+    text += swatch({left, y - 11}, kColours[colours[r] % kColours.size()]);
     text += svg::text({left + 46, y}, kWords, " text-anchor=\"end\"", std::to_string(r + 1));
     constexpr double kNameLetters = 26;
     text +=
@@ -168,39 +173,63 @@ std::string lines_of(const ExactComplex& complex, const svg::Frame& frame, doubl
   return text;
 }
 
-}  // namespace
+/// Where the plan is drawn.
+struct Plan {
+  svg::Box panel;
+  svg::Frame frame;
+};
 
-std::string to_svg(const Rooms& rooms, const SegmentSet& input, const ExactComplex& complex) {
-  using namespace svg;
+Plan placed(const SegmentSet& input, const ExactComplex& complex, double top) {
+  constexpr double kLeast = 400, kGreatest = 1500, kMargin = 0.01;
   std::vector<PointD> points;
   for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     points.push_back(complex.vertices.nearest(v));
   }
-  const Box content = widened(bounds(points), 0.01);
-  constexpr double kLeast = 400, kGreatest = 1500;
+  const svg::Box content = svg::widened(svg::bounds(points), kMargin);
   const double height =
       std::clamp(kPlanWidth * content.height() / content.width(), kLeast, kGreatest);
-  const Box panel{{sheet::kMargin, kHead}, {sheet::kMargin + kPlanWidth, kHead + height}};
-  const Frame frame = sheet::frame(content, panel, input.y_up);
+  const svg::Box panel{{svg::sheet::kMargin, top},
+                       {svg::sheet::kMargin + kPlanWidth, top + height}};
+  return {panel, svg::sheet::frame(content, panel, input.y_up)};
+}
+
+std::string plan_with_words(const Rooms& rooms, const ExactComplex& complex, const Plan& plan) {
+  std::string text = fills(rooms, complex, plan.frame);
+  text += lines_of(complex, plan.frame, svg::sheet::pen(plan.panel, complex.edge_count()));
+  text += "<g text-anchor=\"middle\" pointer-events=\"none\">\n";
+  for (std::size_t r = 0; r < rooms.rooms.size(); ++r) text += words_in(rooms, r, plan.frame);
+  return text + "</g>\n" +
+         scale_bar(rooms, plan.frame.scale, svg::sheet::kMargin, plan.panel.high.y + 30);
+}
+
+}  // namespace
+
+std::string to_svg(const Rooms& rooms, const SegmentSet& input, const ExactComplex& complex) {
+  using namespace svg;
+  const Plan plan = placed(input, complex, kHead);
+  const double bottom = plan.panel.high.y, left = plan.panel.high.x + sheet::kMargin;
   Rational sum;
   for (const Room& room : rooms.rooms) sum += room.area;
-  const double left = panel.high.x + sheet::kMargin, bottom = panel.high.y;
-  std::string text = sheet::open(sheet::kWidth, kHead + height + kFoot);
-  text += svg::text(
+  std::string result = sheet::open(sheet::kWidth, bottom + kFoot);
+  result += text(
       {sheet::kMargin, 40}, 22, " font-weight=\"bold\"",
       sheet::titled(input, fmt::format("{} rooms, {}", rooms.rooms.size(), area_text(rooms, sum))));
-  text += fills(rooms, complex, frame);
-  text += lines_of(complex, frame, sheet::pen(panel, complex.edge_count()));
-  text += "<g text-anchor=\"middle\">\n";
-  for (std::size_t r = 0; r < rooms.rooms.size(); ++r) text += words_in(rooms, r, frame);
-  text += "</g>\n" + list_of(rooms, left, kHead, bottom);
-  text += scale_bar(rooms, frame.scale, sheet::kMargin, bottom + 30);
-  text += fmt::format(
-      "<rect x=\"{0}\" y=\"{1}\" width=\"12\" height=\"12\" fill=\"{2}\" "
-      "stroke=\"{3}\" stroke-width=\"0.5\"/>\n",
-      left, bottom + 22, kNarrow, kInk);
-  text += svg::text({left + 22, bottom + 33}, kWords, "", "no room: narrow or small");
-  return text + "</svg>\n";
+  result += plan_with_words(rooms, complex, plan);
+  result += list_of(rooms, left, kHead, bottom);
+  result += swatch({left, bottom + 22}, kNarrow);
+  result += text({left + 22, bottom + 33}, kWords, "", "no room: narrow or small");
+  return result + "</svg>\n";
+}
+
+std::string plan_of_rooms(const Rooms& rooms, const SegmentSet& input,
+                          const ExactComplex& complex) {
+  const Plan plan = placed(input, complex, svg::sheet::kMargin);
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {:.0f}\" "
+      "font-family=\"DejaVu Sans, Arial, sans-serif\" fill=\"{}\">\n"
+      "<g id=\"drawing\">\n{}</g>\n</svg>\n",
+      kPlanWidth + 2 * svg::sheet::kMargin, plan.panel.high.y + kFoot, svg::kInk,
+      plan_with_words(rooms, complex, plan));
 }
 
 }  // namespace plumbline

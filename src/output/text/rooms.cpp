@@ -127,7 +127,11 @@ std::string to_text(const Rooms& rooms, const SegmentSet& input,
     text += fmt::format("  ... and {} smaller ones (--list N, -o rooms.csv)\n",
                         rooms.rooms.size() - shown.size());
   }
-  return text + left_out(rooms) + outside(rooms, input);
+  return text + rest_text(rooms, input);
+}
+
+std::string rest_text(const Rooms& rooms, const SegmentSet& input) {
+  return left_out(rooms) + outside(rooms, input);
 }
 
 }  // namespace plumbline

@@ -8,5 +8,7 @@ namespace plumbline {
 
 /// "12.50 m2"; in drawing units, six digits, where it is not known what they are.
 std::string area_text(const Rooms& rooms, const Rational& area);
+/// Lines on what was left out, and on texts in no room; "" where there is nothing to say.
+std::string rest_text(const Rooms& rooms, const SegmentSet& input);
 
 }  // namespace plumbline
