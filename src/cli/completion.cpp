@@ -158,8 +158,9 @@ std::string zsh(const CLI::App& app) {
       "      help) _describe command commands ;;\n";
   for (const CLI::App* command : commands_of(app)) {
     text += fmt::format("      {})\n        _arguments -s", command->get_name());
-    for (const Completed& option : completed(*command))
+    for (const Completed& option : completed(*command)) {
       text += " \\\n          " + zsh_option(option);
+    }
     text += reads_files(*command) ? " \\\n          '*:FILE:_files' ;;\n" : " ;;\n";
   }
   return text + "    esac ;;\nesac\n";
@@ -195,8 +196,9 @@ std::string fish(const CLI::App& app) {
   text += fmt::format("complete -c plumbline -n '__fish_seen_subcommand_from help' -f -a '{}'\n",
                       names);
   for (const CLI::App* command : commands_of(app)) {
-    for (const Completed& option : completed(*command))
+    for (const Completed& option : completed(*command)) {
       text += fish_option(command->get_name(), option);
+    }
   }
   return text;
 }

@@ -71,7 +71,7 @@ std::string folded(std::string_view text, std::size_t width) {
       const std::size_t fits = cut(line, width + 1).rfind(' ');
       if (fits == std::string::npos || fits <= indent.size()) break;
       result += line.substr(0, fits) + '\n';
-      line = indent + line.substr(fits + 1);
+      line.replace(0, fits + 1, indent);
     }
     result += line + (end < text.size() ? "\n" : "");
   }

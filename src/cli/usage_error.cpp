@@ -59,21 +59,25 @@ std::string said(const CLI::ParseError& error) {
   std::string text = error.what();
   const std::string kind = error.get_name();
   if (kind == "RequiredError" && ends_with(text, " is required")) return text + " is missing";
-  if (kind == "RequiresError")
+  if (kind == "RequiresError") {
     return before(text, " requires ") + " needs " + text.substr(text.rfind(' ') + 1);
-  if (kind == "ExcludesError")
+  }
+  if (kind == "ExcludesError") {
     return before(text, " excludes ") + " and " + text.substr(text.rfind(' ') + 1) +
            " do not go together";
-  if (kind == "ConversionError")
+  }
+  if (kind == "ConversionError") {
     return before(text.substr(std::min(text.find("--"), text.size())), " = ") +
            " takes no such value";
+  }
   if (kind != "ArgumentMismatch") return text;
   if (ends_with(text, " was given a disallowed flag override")) {
     return (text.starts_with('-') ? "" : "--") + text + " takes no value";
   }
   if (text.find("At Most") != text.npos) return before(text, ":") + " is given more than once";
-  if (ends_with(text, " missing"))
+  if (ends_with(text, " missing")) {
     return before(text, ":") + " needs a value, " + text.substr(text.rfind(' ') + 1);
+  }
   return text;
 }
 
@@ -96,8 +100,9 @@ void check_command_is_known(const CLI::App& app, const std::vector<std::string>&
   const bool is_command = std::ranges::any_of(
       app.get_subcommands({}), [&](const CLI::App* command) { return command->check_name(first); });
   if (is_command || app.get_option_no_throw(first) != nullptr) return;
-  if (first.starts_with('-'))
+  if (first.starts_with('-')) {
     throw usage("a command comes first, not " + quoted(first) + "; " + known);
+  }
   const std::string meant = did_you_mean(first, names);
   throw usage("unknown command: " + quoted(first) + (meant.empty() ? "; " + known : meant));
 }
