@@ -68,9 +68,8 @@ CLI::Validator positive() {
 
 CLI::Validator radius() {
   const auto refuse = [](const std::string& text) -> std::string {
-    if (is_preset(text)) return "";
-    if (text.empty() || text.find_first_of("0123456789") != text.npos)
-      return "";  // told as a number
+    // What has digits is told of as a number.
+    if (is_preset(text) || text.empty() || text.find_first_of("0123456789") != text.npos) return "";
     const std::vector<std::string> presets(kRadiusPresets.begin(), kRadiusPresets.end());
     const std::string meant = did_you_mean(text, presets);
     return "not " + text + (meant.empty() ? ", but " : meant + " It is ") +
