@@ -5,6 +5,7 @@
 
 #include "output/page/assets.hpp"
 #include "output/svg/rooms.hpp"
+#include "output/svg/sheet.hpp"
 #include "output/text/escape.hpp"
 #include "output/text/rooms.hpp"
 #include "plumbline/output.hpp"
@@ -28,7 +29,8 @@ std::string row(const Rooms& rooms, std::size_t r) {
   const Room& room = rooms.rooms[r];
   return fmt::format(
       "<tr data-room=\"{0}\" tabindex=\"0\"><td class=\"number\" data-value=\"{0}\">{0}</td>"
-      "<td>{1}</td><td class=\"number\" data-value=\"{2}\">{3}</td><td>{4}</td><td>{5}</td></tr>\n",
+      "<td>{1}</td><td class=\"number\" data-value=\"{2}\">{3}</td><td>{5}</td><td "
+      "class=\"layers\" title=\"{4}\">{4}</td></tr>\n",
       r + 1, joined(room.names), shortest_text(nearest_double(room.area)),
       area_text(rooms, room.area), joined(room.layers), neighbours_of(room));
 }
@@ -42,7 +44,7 @@ std::string list(const Rooms& rooms, const SegmentSet& input, const std::string&
       "aria-label=\"Search rooms\">\n<p id=\"found\" aria-live=\"polite\"></p>\n"
       "<table id=\"rooms\"><thead><tr>",
       xml_text(title), rooms.rooms.size(), area_text(rooms, sum));
-  for (const char* heading : {"room", "name", "area", "layers", "neighbours"}) {
+  for (const char* heading : {"room", "name", "area", "neighbours", "layers"}) {
     text += fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", heading);
   }
   text += "</tr></thead>\n<tbody>\n";

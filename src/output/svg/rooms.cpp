@@ -25,7 +25,9 @@ constexpr const char* kNarrow = "#e9ecef";  // walls, and what else is no room
 constexpr double kListWidth = 380, kHead = 64, kFoot = 56, kLine = 20, kWords = 14;
 constexpr double kPlanWidth = svg::sheet::kWidth - 3 * svg::sheet::kMargin - kListWidth;
 
-constexpr double kBold = 0.62, kPlain = 0.56;  // mean width of a letter, as part of its height
+constexpr double kLetter = 0.62, kSpacing = 1.25;  // width of a letter and of a line, by its height
+
+double hundredths(double value) { return std::round(value * 100) / 100; }
 
 /// How many letters: bytes of UTF-8 that begin one.
 double letters(const std::string& text) {
@@ -73,31 +75,46 @@ std::string fills(const Rooms& rooms, const ExactComplex& complex, const svg::Fr
   return text + "</g>\n";
 }
 
-/// The number, the name and the area about the middle of the room, as large as its circle allows,
-/// and what is legible of them.
-std::string words_in(const Rooms& rooms, std::size_t r, const svg::Frame& frame) {
-  constexpr double kLargest = 15, kLegible = 5, kSpacing = 1.25;
+/// What is written in a room at best: its number, a name and its area. Of several names the first
+/// one without digits: others are measures and notes.
+std::vector<std::string> lines_in(const Rooms& rooms, std::size_t r) {
   const Room& room = rooms.rooms[r];
-  const PointD middle = frame(room.middle);
-  const double width = room.width * frame.scale * 0.94;
+  const auto is_name = [](const std::string& text) {
+    return text.find_first_of("0123456789") == text.npos;
+  };
   std::vector<std::string> lines{std::to_string(r + 1)};
-  if (!room.names.empty()) lines.push_back(room.names.front());
+  const auto name = std::find_if(room.names.begin(), room.names.end(), is_name);
+  if (!room.names.empty()) lines.push_back(name == room.names.end() ? room.names.front() : *name);
   lines.push_back(area_text(rooms, room.area));
-  double size = 0;
-  for (;;) {
-    double longest = 0;
-    for (const std::string& line : lines) longest = std::max(longest, letters(line) * kBold);
-    // The corners of the text lie on the circle.
-    const double height = static_cast<double>(lines.size()) * kSpacing;
-    size = std::min(kLargest, width / std::hypot(longest, height));
-    if (size >= kLegible || lines.size() == 1) break;
-    lines.pop_back();
+  return lines;
+}
+
+/// How high letters are so that the corners of these lines lie on a circle.
+double size_in_circle(const std::vector<std::string>& lines, double width) {
+  double longest = 0;
+  for (const std::string& line : lines) longest = std::max(longest, letters(line) * kLetter);
+  return width / std::hypot(longest, static_cast<double>(lines.size()) * kSpacing);
+}
+
+/// The lines about the middle of the room, as large as its circle allows, and what is legible of
+/// them: without the area, without the name, the number alone.
+std::string words_in(const Rooms& rooms, std::size_t r, const svg::Frame& frame) {
+  constexpr double kLargest = 15, kLegible = 5, kLeast = 2, kOfCircle = 0.94;
+  const Room& room = rooms.rooms[r];
+  const double width = room.width * frame.scale * kOfCircle;
+  const std::vector<std::string> all = lines_in(rooms, r);
+  std::vector<std::string> lines = all;
+  for (const auto& fewer :
+       {std::vector{all[0], all[1]}, std::vector{all[0], all.back()}, std::vector{all[0]}}) {
+    if (size_in_circle(lines, width) < kLegible) lines = fewer;
   }
-  if (size < 2) return {};
+  const double size = std::min(kLargest, size_in_circle(lines, width));
+  if (size < kLeast) return {};
+  const PointD middle = frame(room.middle);
   std::string text;
   double y = middle.y - (static_cast<double>(lines.size()) * kSpacing / 2 - 1) * size;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    text += svg::text({middle.x, std::round(y * 100) / 100}, std::round(size * 100) / 100,
+    text += svg::text({middle.x, hundredths(y)}, hundredths(size),
                       i == 0 ? " font-weight=\"bold\"" : "", lines[i]);
     y += kSpacing * size;
   }
@@ -146,7 +163,7 @@ std::string scale_bar(const Rooms& rooms, double scale, double left, double y) {
     length *= times;
     break;
   }
-  const double pixels = std::round(length / metres * scale * 100) / 100;
+  const double pixels = hundredths(length / metres * scale);
   return fmt::format(
              "<path fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" "
              "d=\"M{} {}v-8v4h{}v-4v8\"/>\n",
