@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tests/readme_test.sh PLUMBLINE: the README shows the quickstart that the tests build, and the picture that
+# tests/readme_test.sh PLUMBLINE: the README shows the quickstart that the tests build, and the pictures that
 # the tool draws today.
 set -euo pipefail
 plumbline=$1
@@ -10,3 +10,5 @@ picture=$(mktemp --suffix=.svg)
 trap 'rm -f "$picture"' EXIT
 "$plumbline" check examples/data/office-plan.svg --picture "$picture" >/dev/null || [[ $? == 1 ]]
 cmp "$picture" docs/office-plan.svg
+"$plumbline" rooms examples/data/flat.dxf --walls WALLS,DOORS --picture "$picture" >/dev/null
+cmp "$picture" docs/flat.svg

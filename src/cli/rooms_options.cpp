@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/options.hpp"
+#include "cli/suggestions.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline::cli {
@@ -79,7 +80,7 @@ CLI::App* add_command(CLI::App& app, RoomsArguments& arguments) {
       ->add_option_function<std::string>(
           "--unit", [&](const std::string& name) { arguments.rooms.unit = unit_named(name); },
           "What a drawing unit is, whatever the file says")
-      ->check(CLI::IsMember(unit_names()).description(""))
+      ->transform(one_of(unit_names()))
       ->type_name("UNIT");
   command
       ->add_option("--doors", arguments.rooms.doors,
