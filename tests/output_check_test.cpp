@@ -220,13 +220,13 @@ TEST_CASE("the layer of findings has a feature per finding, with its place and t
   check.causes[0] = {"prune", 1, "chain collapse", "", "a radius below 0.01", true, {}};
   check.comparison.findings[2].kind = CellKind::Complex;
   rapidjson::Document json;
-  json.Parse(to_geojson(check).c_str());
+  json.Parse(to_geojson({{finding_layer(check)}, check.input.crs, ""}).c_str());
   REQUIRE(!json.HasParseError());
   CHECK(std::string(json["type"].GetString()) == "FeatureCollection");
   CHECK(!json.HasMember("crs"));
   check.input.crs = "EPSG:3857";
   rapidjson::Document placed;
-  placed.Parse(to_geojson(check).c_str());
+  placed.Parse(to_geojson({{finding_layer(check)}, check.input.crs, ""}).c_str());
   CHECK(std::string(placed["crs"]["properties"]["name"].GetString()) == "EPSG:3857");
   REQUIRE(json["features"].Size() == 3);
   const auto& feature = json["features"][0];

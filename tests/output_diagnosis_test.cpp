@@ -134,7 +134,8 @@ TEST_CASE("a layer of points has the defects with their ranks, then openings") {
   SegmentSet input = segments(rectangle(0, 0, 12, 6) + "6 0 6 2.5  6 3.4 6 6  0 3 5.9 3");
   input.crs = "EPSG:3857";
   const Diagnosis diagnosis = diagnose(input, arrange(input), {Rational(1, 5)});
-  const rapidjson::Document json = parsed(to_geojson(diagnosis, input));
+  const rapidjson::Document json =
+      parsed(to_geojson({{defect_layer(diagnosis, input)}, input.crs, ""}));
   CHECK(std::string(json["crs"]["properties"]["name"].GetString()) == "EPSG:3857");
   REQUIRE(json["features"].Size() == diagnosis.defects.size() + 1);
   const auto& opening = json["features"][json["features"].Size() - 1];

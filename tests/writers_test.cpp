@@ -55,7 +55,7 @@ bool has_isolated_vertices(const ExactComplex& complex) {
 }
 
 /// One input of each family, of those with edges.
-std::vector<std::pair<std::string, Drawn>> of_all_families(std::uint64_t seed) {
+std::vector<std::pair<std::string, Drawn>> of_all_families(unsigned seed) {
   std::vector<std::pair<std::string, Drawn>> all;
   for (const std::string& family : inputs::families()) {
     Drawn drawn{inputs::of_family(family, seed)};

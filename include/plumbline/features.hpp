@@ -20,7 +20,8 @@ enum class FeatureGeometry { Point, Line, Polygon };
 /// What GIS and CAD programs call a feature: a geometry in doubles, with attributes.
 struct Feature {
   /// Of a polygon its rings, the outer one first, counter-clockwise, holes clockwise, first points
-  /// not repeated; of a line one list of points; of a point one of one point.
+  /// not repeated; of a line one list of points; of a point one of one point, or none
+  /// where it has no place.
   std::vector<std::vector<PointD>> parts;
   std::vector<FeatureValue> values;  ///< one for each column
   std::string layer = {};            ///< of the drawing; CAD programs keep it
@@ -32,6 +33,7 @@ struct FeatureLayer {
   FeatureGeometry geometry = FeatureGeometry::Point;
   std::vector<std::string> columns;
   std::vector<Feature> features;
+  bool is_numbered = false;  ///< whether GeoJSON numbers them, from 1, as ids
 };
 
 /// Layers of one drawing, as all writers take them.

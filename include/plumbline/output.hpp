@@ -120,9 +120,9 @@ std::string to_svg(const Check& check);
 /// A page to look at all of it with a browser: pan and zoom, layers, findings, faces, the ladder.
 /// One file that loads nothing else. Cost: some 20 bytes an edge and complex.
 std::string to_html(const Check& check);
-/// The findings of the float result as a GeoJSON layer for QGIS and OGR: a Feature per finding, its
-/// place as a Point (null for kind Complex) in the drawing's own coordinates.
-std::string to_geojson(const Check& check);
+/// The findings of the float result as a layer of points, none for kind Complex, numbered; on
+/// layers (Feature::layer) by what disagrees.
+FeatureLayer finding_layer(const Check& check);
 
 /// A tolerance ladder for a terminal: a table of its first `limit` steps. Requires: the ladder of
 /// this complex.
@@ -138,8 +138,8 @@ std::string to_svg(const ToleranceLadder& ladder, const std::optional<RightRadii
 std::string to_text(const Diagnosis& diagnosis, const SegmentSet& input, std::size_t limit = 0);
 /// The same as JSON, all that are listed.
 std::string to_json(const Diagnosis& diagnosis, const SegmentSet& input);
-/// Those, and then the openings, as a GeoJSON layer of points, as of a check.
-std::string to_geojson(const Diagnosis& diagnosis, const SegmentSet& input);
+/// Those, and then the openings, as a layer of points, as of a check; on layers by kind.
+FeatureLayer defect_layer(const Diagnosis& diagnosis, const SegmentSet& input);
 /// A panel for each kind that was found: the drawing with the defects marked by their numbers.
 std::string to_svg(const Diagnosis& diagnosis, const SegmentSet& input,
                    const ExactComplex& complex);

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "cli/commands.hpp"
+#include "cli/complex_file.hpp"
+#include "cli/formats.hpp"
 #include "cli/load.hpp"
 #include "cli/losses.hpp"
 #include "cli/outputs.hpp"
@@ -121,7 +123,7 @@ ExitCode run(const CheckArguments& arguments, Report& report, const std::vector<
                                                         {arguments.picture, {"svg"}},
                                                         {arguments.report, {"html"}},
                                                         {arguments.plot, {"svg"}},
-                                                        {arguments.findings, {"geojson", "json"}}});
+                                                        {arguments.findings, finding_formats()}});
   if (on_stdout) report.leave_standard_output();
   const Check result = advised_as_asked(compare(arguments, engines), arguments);
   const auto write = [&](const std::optional<std::string>& file, const auto& content) {
@@ -132,7 +134,10 @@ ExitCode run(const CheckArguments& arguments, Report& report, const std::vector<
   write(arguments.output, [&] { return to_json(result); });
   write(arguments.picture, [&] { return to_svg(result); });
   write(arguments.report, [&] { return to_html(result); });
-  write(arguments.findings, [&] { return to_geojson(result); });
+  write(arguments.findings, [&] {
+    return feature_file(format_of({arguments.findings, finding_formats()}),
+                        {{finding_layer(result)}, result.input.crs, "", {}, result.input.unit});
+  });
   write(arguments.plot, [&] { return to_svg(*result.ladder, result.right_radii); });
   const std::string text = to_text(result, arguments.listed);
   report.set_headline(text.substr(0, text.find('\n')));

@@ -81,6 +81,7 @@ struct FeatureWriter {
 };
 constexpr std::array kFeatureWriters{
     FeatureWriter{"geojson", to_geojson},
+    FeatureWriter{"json", to_geojson},  // of findings
     FeatureWriter{"topojson", to_topojson},
     FeatureWriter{"dxf", to_dxf},
     FeatureWriter{"wkt", to_wkt},

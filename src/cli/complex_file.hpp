@@ -21,7 +21,7 @@ struct ComplexFile {
 ComplexFile complex_file(std::string_view format, const ArrangeArguments& arguments,
                          const Drawing& drawing);
 
-/// Requires: one of feature_formats().
+/// Requires: one of feature_formats(), or of finding_formats().
 std::string feature_file(std::string_view format, const Features& features);
 
 }  // namespace plumbline::cli

@@ -131,8 +131,9 @@ void add_check_outputs(CLI::App& command, CheckArguments& arguments) {
   command.add_option("--report", arguments.report, "Write an HTML page with all of it")
       ->type_name("FILE");
   command
-      .add_option("--findings", arguments.findings,
-                  "Write the findings as points to a GeoJSON file, for QGIS and OGR")
+      .add_option(
+          "--findings", arguments.findings,
+          "Write the findings as points: .geojson, .csv, .dxf (a layer for each kind) and the like")
       ->type_name("FILE");
   add_plot(command, arguments.plot);
   command
@@ -235,8 +236,9 @@ void add_diagnosis(CLI::App& command, InfoArguments& arguments) {
       ->needs(diagnose)
       ->type_name("N");
   command
-      .add_option("--findings", arguments.findings,
-                  "Write the defects as points to a GeoJSON file, for QGIS and OGR")
+      .add_option(
+          "--findings", arguments.findings,
+          "Write the defects as points: .geojson, .csv, .dxf (a layer for each kind) and the like")
       ->needs(diagnose)
       ->type_name("FILE");
   command

@@ -51,6 +51,12 @@ std::vector<std::string_view> complex_formats() {
   return names_where([](const Format& format) { return format.of_complexes; });
 }
 
+std::vector<std::string_view> finding_formats() {
+  std::vector<std::string_view> names = feature_formats();
+  names.emplace_back("json");
+  return names;
+}
+
 std::vector<std::string_view> rooms_formats() {
   std::vector<std::string_view> names = feature_formats();
   names.insert(names.end(), {"json", "svg", "html"});

@@ -20,6 +20,8 @@ const std::vector<Format>& formats();
 /// The names of those that hold features, or whole complexes (features among them).
 std::vector<std::string_view> feature_formats();
 std::vector<std::string_view> complex_formats();
+/// Those of findings and defects; json is GeoJSON, too.
+std::vector<std::string_view> finding_formats();
 /// Those of rooms: geojson by default.
 std::vector<std::string_view> rooms_formats();
 /// The format of that name. Requires: there is one.

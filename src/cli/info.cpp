@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "cli/commands.hpp"
+#include "cli/complex_file.hpp"
+#include "cli/formats.hpp"
 #include "cli/load.hpp"
 #include "cli/losses.hpp"
 #include "cli/outputs.hpp"
@@ -104,7 +106,11 @@ void print_diagnosis(const Drawing& drawing, const InfoArguments& arguments, Rep
   };
   write(arguments.output, [&] { return to_json(diagnosis, drawing.input); });
   write(arguments.picture, [&] { return to_svg(diagnosis, drawing.input, drawing.complex); });
-  write(arguments.findings, [&] { return to_geojson(diagnosis, drawing.input); });
+  write(arguments.findings, [&] {
+    return feature_file(
+        format_of({arguments.findings, finding_formats()}),
+        {{defect_layer(diagnosis, drawing.input)}, drawing.input.crs, "", {}, drawing.input.unit});
+  });
   const std::size_t defects = std::reduce(diagnosis.found.begin(), diagnosis.found.end());
   report.set("defects", defects);
   report.set_headline(fmt::format("{}; {} defects", report.headline(), defects));
@@ -120,7 +126,7 @@ ExitCode run(const InfoArguments& arguments, Report& report) {
   const bool on_stdout = check_outputs(arguments.file, {{arguments.plot, {"svg"}},
                                                         {arguments.output, {"json"}},
                                                         {arguments.picture, {"svg"}},
-                                                        {arguments.findings, {"geojson", "json"}}});
+                                                        {arguments.findings, finding_formats()}});
   if (on_stdout) report.leave_standard_output();
   const Drawing drawing = load(arguments);
   const Counts counted = counts(drawing.complex, drawing.complex.vertices.size());

@@ -102,6 +102,7 @@ class DxfFile {
 
   void points(const FeatureLayer& layer) {
     for (const Feature& feature : layer.features) {
+      if (feature.parts.empty()) continue;
       begin("POINT", layer_of(layer, feature), "AcDbPoint");
       out_.point(10, feature.parts[0][0]);
     }

@@ -12,7 +12,7 @@ auto closed(const std::vector<PointD>& ring) {
   return list(ring.size() + 1, [&ring](std::size_t i) { return ring[i < ring.size() ? i : 0]; });
 }
 
-auto geometry(FeatureGeometry type, const std::vector<std::vector<PointD>>& parts) {
+auto placed(FeatureGeometry type, const std::vector<std::vector<PointD>>& parts) {
   return object(
       member("type", type_name(type)),
       when(type == FeatureGeometry::Point, [&parts] { return member("coordinates", parts[0][0]); }),
@@ -22,23 +22,34 @@ auto geometry(FeatureGeometry type, const std::vector<std::vector<PointD>>& part
       }));
 }
 
+auto geometry(FeatureGeometry type, const std::vector<std::vector<PointD>>& parts) {
+  return given(!parts.empty(), [type, &parts] { return placed(type, parts); });
+}
+
+/// A feature by its place in a layer.
+struct Row {
+  const FeatureLayer& layer;
+  std::size_t place;
+};
+
 }  // namespace
 }  // namespace json
 
 std::string to_geojson(const Features& features) {
   using namespace json;
   const bool names_layer = features.layers.size() > 1;
-  std::vector<std::pair<const FeatureLayer*, const Feature*>> all;
+  std::vector<Row> all;
   for (const FeatureLayer& layer : features.layers) {
-    for (const Feature& feature : layer.features) all.emplace_back(&layer, &feature);
+    for (std::size_t i = 0; i < layer.features.size(); ++i) all.push_back({layer, i});
   }
-  const auto row = [names_layer](const auto& entry) {
-    const auto& [layer, feature] = entry;
-    const auto name = [of = layer] { return member("layer", of->name); };
+  const auto row = [names_layer](const Row& of) {
+    const Feature& feature = of.layer.features[of.place];
+    const auto id = [&of] { return member("id", of.place + 1); };
+    const auto name = [&of] { return member("layer", of.layer.name); };
     return object(
-        member("type", "Feature"),
-        member("properties", object(when(names_layer, name), columns_of(*layer, *feature))),
-        member("geometry", geometry(layer->geometry, feature->parts)));
+        member("type", "Feature"), when(of.layer.is_numbered, id),
+        member("properties", object(when(names_layer, name), columns_of(of.layer, feature))),
+        member("geometry", geometry(of.layer.geometry, feature.parts)));
   };
   return document(object(member("type", "FeatureCollection"), head_of(features),
                          member("features", rows(all, row))),

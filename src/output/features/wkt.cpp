@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 #include <cstdint>
+#include <limits>
 
 #include "plumbline/features.hpp"
 #include "plumbline/number.hpp"
@@ -36,6 +37,10 @@ void append(std::string& text, const std::vector<PointD>& points, bool is_closed
 }
 
 void append_wkt(std::string& text, FeatureGeometry geometry, const Feature& feature) {
+  if (feature.parts.empty()) {
+    text += "POINT EMPTY";
+    return;
+  }
   switch (geometry) {
     case FeatureGeometry::Point:
       append(text += "POINT ", feature.parts[0], false);
@@ -107,13 +112,17 @@ class Hex {
   std::string& text_;
 };
 
+/// An empty point, as GEOS and PostGIS write it.
+constexpr PointD kNoPlace{std::numeric_limits<double>::quiet_NaN(),
+                          std::numeric_limits<double>::quiet_NaN()};
+
 void append_wkb(std::string& text, FeatureGeometry geometry, const Feature& feature) {
   Hex hex(text);
   hex.byte(1);  // little-endian
   switch (geometry) {
     case FeatureGeometry::Point:
       hex.integer(std::uint32_t{1});
-      hex.point(feature.parts[0][0]);
+      hex.point(feature.parts.empty() ? kNoPlace : feature.parts[0][0]);
       break;
     case FeatureGeometry::Line:
       hex.integer(std::uint32_t{2});
