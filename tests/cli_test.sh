@@ -193,7 +193,9 @@ expect "a diagnosis names defects, sizes and elements" 0 '1 undershoot.*a line e
 expect "the search distance decides" 0 '1 dangle' "$plumbline" info short.lines --diagnose --within 0.2
 expect "as many of each kind as asked for" 0 'undershoot: 1.*short.lines:3' "$plumbline" info short.lines --diagnose --within 1/4 --list 1
 expect "the defects as a layer" 0 '^$|matters' "$plumbline" info short.lines --diagnose --within 1/4 --findings d.geojson
-expect "which has their ranks" 0 '"rank": 1' cat d.geojson
+expect "which has their ranks" 0 '"rank":1' cat d.geojson
+expect "or for CAD, on layers by kind" 0 '^undershoot$' bash -c "'$plumbline' info short.lines --diagnose --within 1/4 --findings d.dxf >/dev/null && grep -m1 undershoot d.dxf"
+rm -f d.dxf
 expect "the lesser of which comes first" 2 'lesser one first.*2..1' "$plumbline" info short.lines --diagnose --doors 2..1
 expect "doors have two widths" 2 'LEAST..MOST.*3' "$plumbline" info short.lines --diagnose --doors 3
 expect "the diagnosis as JSON" 0 'plumbline diagnosis 1' cat d.json
