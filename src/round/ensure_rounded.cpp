@@ -28,10 +28,14 @@ class Promises {
     if (!violations.empty()) {
       require(false, violations.front().message.c_str(), violations.front().where);
     }
+    check_images();
+    check_sides();
+  }
+  /// Where everything went, but for validity and sides.
+  void check_images() const {
     check_vertices();
     check_edges();
     check_faces();
-    check_sides();
   }
 
  private:
@@ -141,6 +145,11 @@ class Promises {
 };
 
 }  // namespace
+
+void round_steps::ensure_images(const ExactComplex& complex, const Grid& grid,
+                                const Rounding& rounding) {
+  Promises(complex, grid, rounding).check_images();
+}
 
 void ensure_rounded(const ExactComplex& complex, const Grid& grid, const Rounding& rounding) {
   Promises(complex, grid, rounding).run();

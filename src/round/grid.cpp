@@ -42,8 +42,9 @@ Rational spacing(const ExactComplex& complex, const Grid& grid) {
         std::to_string(*grid.decimals));
   }
   double largest = 0;  // truncated, so below the next power of two just as the exact one is
-  for (const Point& p : complex.vertices) {
-    largest = std::max({largest, std::abs(p.x.get_d()), std::abs(p.y.get_d())});
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
+    const PointD p = complex.vertices.truncated(v);
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
   return distance_of_doubles(largest);
 }

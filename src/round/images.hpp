@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plumbline/complex.hpp"
+#include "plumbline/round.hpp"
 
 namespace plumbline::round_steps {
 
@@ -14,5 +14,9 @@ Lists<HalfedgeId> edge_images(const Incidences& rounded, const Lists<VertexId>& 
 std::vector<FaceId> face_origins(const Incidences& exact, const Incidences& rounded,
                                  const std::vector<VertexId>& vertex_image,
                                  const Lists<HalfedgeId>& edge_image);
+
+/// Checks of a rounding what `ensure_rounded` does but for two things: that the rounded complex is
+/// valid, and that no vertex went past an edge. Throws: as it.
+void ensure_images(const ExactComplex& complex, const Grid& grid, const Rounding& rounding);
 
 }  // namespace plumbline::round_steps

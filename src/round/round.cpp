@@ -1,5 +1,6 @@
 #include "plumbline/round.hpp"
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -79,11 +80,33 @@ Rounding finished(const ExactComplex& complex, const Grid& grid, Rounding roundi
   rounding.edge_image = edge_images(rounding.complex, chains);
   rounding.face_origin =
       face_origins(complex, rounding.complex, rounding.vertex_image, rounding.edge_image);
-  ensure_rounded(complex, grid, rounding);
+  // Simple rounding has looked at all sides itself.
+  rounding.has_same_incidences() ? ensure_images(complex, grid, rounding)
+                                 : ensure_rounded(complex, grid, rounding);
   if (grid.decimals) {
     rounding.valid_as_doubles = is_kept_by_simple_rounding(rounding.complex, Grid{});
   }
   return rounding;
+}
+
+bool is_on_grid(const ExactComplex& complex, const Grid& grid) {
+  for (const Point& p : complex.vertices) {
+    if (!is_on(grid, p.x) || !is_on(grid, p.y)) return false;
+  }
+  return true;
+}
+
+/// A complex on the grid is its own rounding: valid, and nothing moves.
+Rounding unchanged(const ExactComplex& complex, const Grid& grid, Rounding result) {
+  result.method = grid.decimals ? RoundingMethod::NearestPoints : RoundingMethod::NearestDoubles;
+  result.complex = complex;
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) result.vertex_image.emplace_back(v);
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    result.edge_image.push_back(std::array{halfedge(EdgeId(e), false)});
+  }
+  for (std::size_t f = 0; f < complex.face_count(); ++f) result.face_origin.emplace_back(f);
+  if (grid.decimals) result.valid_as_doubles = is_kept_by_simple_rounding(complex, Grid{});
+  return result;
 }
 
 /// The uniform grid that simple rounding goes to.
@@ -111,6 +134,7 @@ Rounding safely_rounded(const ExactComplex& complex, const Grid& grid,
   ensure_coordinates_within_limit(complex);
   Rounding result;
   result.spacing = spacing(complex, grid);
+  if (is_on_grid(complex, grid)) return unchanged(complex, grid, std::move(result));
   const auto keep = [&](RoundingMethod method, ExactComplex rounded, const Places& places,
                         const Lists<VertexId>& chains) {
     result.method = method;
