@@ -58,7 +58,8 @@ FeatureLayer edge_layer(const SegmentSet& input, const Rounding& rounding);
 /// Its vertices. Columns: `vertex`, `degree`.
 FeatureLayer vertex_layer(const Rounding& rounding);
 
-/// The rooms as polygons; more than one for a room that the rounding has parted. Columns: `room`,
+/// The rooms as polygons; more than one for a room that the rounding has parted, each then with its
+/// own area and perimeter, so that sums are right. Columns: `room`,
 /// its number from 1, `name` (all names, "; " between), `area` and `area_exact` of the exact face,
 /// `area_m2` where the unit is known, `perimeter`, `layers`, `depth`, `parent`, `neighbours` ("2
 /// 5"), `doors` (neighbours behind doors), `face`. Requires: a rounding of the complex of the

@@ -154,6 +154,7 @@ struct Label {
   SourceId source;
   std::string text;
   std::optional<Point> place;
+  double height = 0;  ///< of its letters, **rounded**; 0: not known
 
   friend bool operator==(const Label&, const Label&) = default;
 };

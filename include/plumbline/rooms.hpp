@@ -12,11 +12,12 @@ namespace plumbline {
 /// What is a room. Numbers in drawing units, and units squared.
 struct RoomOptions {
   /// A room's area is at least this. By default 0.5 m2; where there is no unit, what a square half
-  /// as wide again as `min_width` has.
+  /// as wide again as `min_width` has; 0 for a drawing of areas, as below.
   std::optional<Rational> min_area;
   /// A room is at least so wide: the diameter of the largest circle in it. By default 0.5 m, which
   /// walls are not; where there is no unit, what parts the widths of faces most clearly, above one
-  /// of a 200th to a 20th of the drawing's longer side; a 200th where nothing does.
+  /// of a 200th to a 20th of the drawing's longer side; a 200th where nothing does, and 0 where
+  /// that leaves nothing. 0 for a drawing of areas: most of its lines are sides of polygons.
   std::optional<Rational> min_width;
   /// Instead of the one that the drawing has, which is not believed where it makes the drawing less
   /// than 3 m long.
@@ -38,8 +39,8 @@ struct RoomNeighbour {
 /// A bounded face that is large and wide enough.
 struct Room {
   FaceId face;
-  /// Texts in it, as one reads them: from the top, then from the left; then names of closed
-  /// elements that it lies in, of the smallest one first. Each once.
+  /// Texts in it, large letters first, of the same height from the top, then from the left; then
+  /// names of closed elements that it lies in, of the smallest one first. Each once.
   std::vector<std::string> names;
   std::vector<std::string> layers;  ///< of the lines that bound it, ascending
   Rational area;                    ///< **exact**
@@ -62,6 +63,7 @@ struct Rooms {
   std::vector<std::size_t> outside;   ///< labels in no room, indices into SegmentSet::labels
   std::optional<LengthUnit> unit;     ///< as used
   std::optional<LengthUnit> doubted;  ///< what the drawing says, which would make it tiny
+  double extent = 0;                  ///< the longer side of the drawing where that is so
 
   friend bool operator==(const Rooms&, const Rooms&) = default;
 };

@@ -59,6 +59,7 @@ struct DrawingArguments : InputArguments {
   std::size_t threads = 0;              ///< 0: as many as there are cores
   bool both_engines = false;            ///< arrange with both and compare
   std::vector<std::string> walls = {};  ///< layers that are arranged; none: all
+  std::optional<LengthUnit> unit = {};  ///< instead of the file's
   bool unit_square = false;             ///< map the drawing to the unit square first
 };
 

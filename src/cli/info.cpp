@@ -44,6 +44,27 @@ void print_repetitions(const Drawing& drawing, Report& report) {
   }
 }
 
+void print_layers(const SegmentSet& input, std::size_t shown, Report& report) {
+  const std::vector<LayerCount> layers = layers_of(input);
+  std::vector<Summary> all;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const LayerCount& layer = layers[i];
+    Summary summary;
+    summary.set("name", layer.name);
+    summary.set("segments", layer.segments);
+    summary.set("texts", layer.texts);
+    all.push_back(std::move(summary));
+    if (i < shown) {
+      report.print("{}{}: {} segments, {} texts\n", i == 0 ? "layers       " : "             ",
+                   line_text(layer.name), layer.segments, layer.texts);
+    }
+  }
+  if (layers.size() > shown) {
+    report.print("             ... and {} more (--json has all)\n", layers.size() - shown);
+  }
+  report.set("layers", all);
+}
+
 void print_extent(const ExactComplex& complex, Report& report) {
   if (complex.vertices.empty()) return;
   Rational low = complex.vertices.front().y, high = low;
@@ -142,6 +163,7 @@ ExitCode run(const InfoArguments& arguments, Report& report) {
   report.print("{}", arguments.diagnose ? first_lines(rejected) : rejected);
   report.print("exactness    {}\n", exactness_line(drawing.input));
   print_extent(drawing.complex, report);
+  print_layers(drawing.input, arguments.diagnose ? 3 : 16, report);
   print_repetitions(drawing, report);
   report.print("arrangement  {}\n", counts_line(counted));
   print_features(drawing.complex, report);

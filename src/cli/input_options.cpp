@@ -275,8 +275,54 @@ void add_files(CLI::App& command, DrawingArguments& arguments) {
       ->type_name("");
 }
 
+namespace {
+
+struct NamedUnit {
+  std::vector<std::string> names;  ///< the usual one first
+  long numerator, denominator;     ///< of metres
+};
+
+const std::vector<NamedUnit>& units() {
+  static const std::vector<NamedUnit> table{
+      {{"mm", "millimetre", "millimetres", "millimeter", "millimeters"}, 1, 1000},
+      {{"cm", "centimetre", "centimetres", "centimeter", "centimeters"}, 1, 100},
+      {{"dm", "decimetre", "decimetres", "decimeter", "decimeters"}, 1, 10},
+      {{"m", "metre", "metres", "meter", "meters"}, 1, 1},
+      {{"km", "kilometre", "kilometres", "kilometer", "kilometers"}, 1000, 1},
+      {{"in", "inch", "inches"}, 254, 10000},
+      {{"ft", "foot", "feet"}, 3048, 10000}};
+  return table;
+}
+
+/// A unit by its name, or a number of metres.
+LengthUnit unit_of(const std::string& text) {
+  for (const NamedUnit& unit : units()) {
+    if (std::ranges::find(unit.names, CLI::detail::to_lower(text)) == unit.names.end()) continue;
+    Rational metres(unit.numerator, unit.denominator);
+    metres.canonicalize();
+    return {unit.names.front(), metres};
+  }
+  try {
+    LengthUnit unit{"", parse_decimal(text)};
+    if (sgn(unit.metres) > 0) return unit;
+  } catch (const Error&) {
+    // told below, with what would do
+  }
+  throw Error(ErrorCode::BadInput,
+              "--unit is mm, cm, dm, m, km, in or ft, or how many metres a drawing unit is", {},
+              text);
+}
+
+}  // namespace
+
 void add_drawing(CLI::App& command, DrawingArguments& arguments) {
   add_exact_engine(command, arguments);
+  command
+      .add_option_function<std::string>(
+          "--unit", [&](const std::string& text) { arguments.unit = unit_of(text); },
+          "What a drawing unit is, whatever the file says: mm, cm, dm, m, km, in, ft, or a number "
+          "of metres")
+      ->type_name("UNIT");
   add_threads(command, arguments.threads);
   add_reading(command, arguments);
 }

@@ -22,7 +22,9 @@ Drawing load(const DrawingArguments& arguments) {
     if (part >= 0) shown->tell(part);
     return true;
   };
-  return exact_answer(arguments.file, options);
+  Drawing drawing = exact_answer(arguments.file, options);
+  if (arguments.unit) drawing.input.unit = arguments.unit;
+  return drawing;
 }
 
 }  // namespace plumbline::cli

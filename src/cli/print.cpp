@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -43,9 +45,35 @@ std::string counts_line(const Counts& c) {
 std::string input_line(const SegmentSet& input) {
   std::string text =
       fmt::format("{} segments, {} rejected", input.segments.size(), input.rejected.size());
-  if (input.remarks.empty()) return text;
-  return text +
-         fmt::format(", {} remark{}", input.remarks.size(), input.remarks.size() == 1 ? "" : "s");
+  const auto add = [&text](std::size_t count, const char* thing) {
+    if (count > 0) text += fmt::format(", {} {}{}", count, thing, count == 1 ? "" : "s");
+  };
+  add(input.remarks.size(), "remark");
+  add(static_cast<std::size_t>(
+          std::count_if(input.labels.begin(), input.labels.end(),
+                        [](const Label& label) { return label.place.has_value(); })),
+      "text");
+  return text;
+}
+
+std::vector<LayerCount> layers_of(const SegmentSet& input) {
+  std::vector<std::size_t> segments(input.sources.size()), texts(input.sources.size());
+  for (const SourceId source : input.segment_source) ++segments[source];
+  for (const Label& label : input.labels) ++texts[label.source];
+  std::map<std::string, LayerCount> layers;
+  for (std::size_t s = 0; s < input.sources.size(); ++s) {
+    if (segments[s] + texts[s] == 0) continue;
+    const std::string name = input.sources[s].layer;
+    if (name.empty()) continue;
+    LayerCount& layer = layers[name];
+    layer.name = name;
+    layer.segments += segments[s];
+    layer.texts += texts[s];
+  }
+  std::vector<LayerCount> result;
+  for (auto& [name, layer] : layers) result.push_back(std::move(layer));
+  std::ranges::stable_sort(result, std::greater(), &LayerCount::segments);
+  return result;
 }
 
 std::string rejected_lines(const SegmentSet& input) {

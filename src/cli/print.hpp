@@ -14,6 +14,12 @@ std::string input_line(const SegmentSet& input);
 /// What was refused and remarked, grouped by element and reason, with the first lines; "" if
 /// nothing was.
 std::string rejected_lines(const SegmentSet& input);
+/// The layers of a drawing that have lines or texts: those with most lines first.
+struct LayerCount {
+  std::string name;
+  std::size_t segments = 0, texts = 0;
+};
+std::vector<LayerCount> layers_of(const SegmentSet& input);
 /// Whether every coordinate is what the file says, or what was replaced.
 std::string exactness_line(const SegmentSet& input);
 

@@ -27,7 +27,7 @@ std::string content(std::string_view format, const RoomsArguments& arguments,
                                drawing.input.crs,
                                note_of(rounding),
                                drawing.input.layers,
-                               drawing.input.unit});
+                               found.unit ? found.unit : drawing.input.unit});
 }
 
 Summary summary_of(const Room& room, std::size_t number) {
@@ -40,6 +40,16 @@ Summary summary_of(const Room& room, std::size_t number) {
   summary.set("perimeter", room.perimeter);
   summary.set("depth", room.depth);
   return summary;
+}
+
+/// Where lines of many layers bound rooms, furniture does, too.
+std::string layers_hint(const RoomsArguments& arguments, const SegmentSet& input) {
+  const std::size_t layers = layers_of(input).size();
+  if (!arguments.walls.empty() || !arguments.reading.layers.empty() || layers < 2) return "";
+  return fmt::format(
+      "lines of all {} layers bound rooms, furniture, too: --walls LAYERS chooses "
+      "(plumbline info lists them)\n",
+      layers);
 }
 
 void set_rooms(Report& report, const Rooms& found) {
@@ -69,12 +79,15 @@ ExitCode run(const RoomsArguments& arguments, Report& report) {
   ensure_all_drawn(arguments, drawing.input);
   const Rooms found = [&] {
     const Progress progress("looking for rooms", arguments);
-    return rooms(drawing.input, drawing.complex, arguments.rooms);
+    RoomOptions options = arguments.rooms;
+    options.unit = arguments.unit;
+    return rooms(drawing.input, drawing.complex, options);
   }();
   report.set_headline(fmt::format("{} rooms", found.rooms.size()));
   set_losses(report, drawing.input);
   set_rooms(report, found);
-  report.print("{}", to_text(found, drawing.input, arguments.listed));
+  report.print("{}{}", to_text(found, drawing.input, arguments.listed),
+               layers_hint(arguments, drawing.input));
   const auto write = [&](const std::string& file, const std::string& text) {
     write_file(file, text);
     report.say_written(file);

@@ -1,43 +1,24 @@
 // The options of rooms.
 
-#include <algorithm>
-#include <array>
-
 #include "cli/options.hpp"
-#include "cli/suggestions.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline::cli {
 namespace {
 
-struct NamedUnit {
-  const char* name;
-  long numerator, denominator;  ///< of metres
-};
-constexpr std::array kUnits{NamedUnit{"mm", 1, 1000},    NamedUnit{"cm", 1, 100},
-                            NamedUnit{"dm", 1, 10},      NamedUnit{"m", 1, 1},
-                            NamedUnit{"km", 1000, 1},    NamedUnit{"in", 254, 10000},
-                            NamedUnit{"ft", 3048, 10000}};
-
-std::vector<std::string> unit_names() {
-  std::vector<std::string> names;
-  for (const NamedUnit& unit : kUnits) names.emplace_back(unit.name);
-  return names;
-}
-
-LengthUnit unit_named(const std::string& name) {
-  const auto found = std::ranges::find(kUnits, name, &NamedUnit::name);
-  ensure(found != kUnits.end(), "the unit is one of those that the option takes");
-  Rational metres(found->numerator, found->denominator);
-  metres.canonicalize();
-  return {name, metres};
-}
-
 void add_size(CLI::App& command, const std::string& name, std::optional<Rational>& size,
               const std::string& what) {
   command
       .add_option_function<std::string>(
-          name, [&size](const std::string& text) { size = parse_decimal(text); }, what)
+          name,
+          [&size, name](const std::string& text) {
+            try {
+              size = parse_decimal(text);
+            } catch (const Error&) {
+              throw Error(ErrorCode::BadInput, name + " is a number, in drawing units", {}, text);
+            }
+          },
+          what)
       ->type_name("SIZE");
 }
 
@@ -76,12 +57,6 @@ CLI::App* add_command(CLI::App& app, RoomsArguments& arguments) {
   add_size(*command, "--min-area", arguments.rooms.min_area,
            "A room is so large, in drawing units squared [default: 0.5 m2; without a unit, 2.25 x "
            "the least width squared]");
-  command
-      ->add_option_function<std::string>(
-          "--unit", [&](const std::string& name) { arguments.rooms.unit = unit_named(name); },
-          "What a drawing unit is, whatever the file says")
-      ->transform(one_of(unit_names()))
-      ->type_name("UNIT");
   command
       ->add_option("--doors", arguments.rooms.doors,
                    "Layers whose lines are doors, with commas; * and ? stand for any characters "

@@ -23,15 +23,17 @@ std::string neighbours_where(const Room& room, Test test) {
   return text;
 }
 
-std::vector<FeatureValue> values_of(const Rooms& rooms, std::size_t r) {
+/// What is known of the room; of a part of one its own area and perimeter.
+std::vector<FeatureValue> values_of(const Rooms& rooms, std::size_t r, const Rational& area,
+                                    double perimeter) {
   const Room& room = rooms.rooms[r];
   std::vector<FeatureValue> values{number(r + 1), fmt::format("{}", fmt::join(room.names, "; ")),
-                                   nearest_double(room.area), exact_text(room.area)};
+                                   nearest_double(area), exact_text(area)};
   if (rooms.unit) {
     const Rational square = rooms.unit->metres * rooms.unit->metres;
-    values.emplace_back(nearest_double(room.area * square));
+    values.emplace_back(nearest_double(area * square));
   }
-  values.emplace_back(room.perimeter);
+  values.emplace_back(perimeter);
   values.emplace_back(fmt::format("{}", fmt::join(room.layers, "; ")));
   values.push_back(number(room.depth));
   values.push_back(room.parent ? number(*room.parent + 1) : FeatureValue());
@@ -57,9 +59,19 @@ FeatureLayer room_layer(const Rooms& rooms, const Rounding& rounding) {
     const auto room = room_of_face.find(rounding.face_origin.at(polygon.face));
     if (room != room_of_face.end()) parts[room->second].push_back(std::move(polygon));
   }
+  std::vector<Rational> areas;
+  std::vector<double> lengths;
+  if (!rounding.has_same_incidences()) {
+    areas = face_areas(rounding.complex);
+    lengths = perimeters(rounding.complex);
+  }
   for (std::size_t r = 0; r < parts.size(); ++r) {
+    const bool is_whole = parts[r].size() == 1;
     for (const FacePolygon& polygon : parts[r]) {
-      layer.features.push_back({features::parts(rounding.complex, polygon), values_of(rooms, r)});
+      layer.features.push_back(
+          {features::parts(rounding.complex, polygon),
+           values_of(rooms, r, is_whole ? rooms.rooms[r].area : areas.at(polygon.face),
+                     is_whole ? rooms.rooms[r].perimeter : lengths.at(polygon.face))});
     }
   }
   return layer;

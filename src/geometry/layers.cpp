@@ -24,7 +24,7 @@ std::string listed(const std::set<std::string>& names) {
   std::size_t count = 0;
   for (const std::string& name : names) {
     if (++count > kNamed) return text + ", ...";
-    text += (text.empty() ? "" : ", ") + name;
+    text += (text.empty() ? "\"" : ", \"") + name + '"';
   }
   return text;
 }
@@ -39,7 +39,7 @@ std::vector<bool> chosen_sources(const SegmentSet& set, const std::vector<std::s
     if (!layer.empty()) names.insert(layer);
     chosen.push_back(false);
     for (std::size_t i = 0; i < patterns.size(); ++i) {
-      if (!matches_pattern(layer, patterns[i])) continue;
+      if (!is_layer(layer, patterns[i])) continue;
       chosen.back() = used[i] = true;
     }
   }
@@ -75,6 +75,17 @@ bool matches_pattern(std::string_view text, std::string_view pattern) {
     }
   }
   return pattern.find_first_not_of('*', p) == pattern.npos;
+}
+
+std::string_view own_layer_name(std::string_view layer) {
+  const std::size_t bar = layer.rfind('|'), dollar = layer.rfind('$');
+  if (bar != layer.npos && bar + 1 < layer.size()) return layer.substr(bar + 1);
+  const bool is_bound = dollar != layer.npos && layer.find('$') < dollar;
+  return is_bound && dollar + 1 < layer.size() ? layer.substr(dollar + 1) : layer;
+}
+
+bool is_layer(std::string_view layer, std::string_view pattern) {
+  return matches_pattern(layer, pattern) || matches_pattern(own_layer_name(layer), pattern);
 }
 
 SegmentSet on_layers(SegmentSet set, const std::vector<std::string>& patterns) {

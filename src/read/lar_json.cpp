@@ -19,7 +19,7 @@ enum class Section { Other, V, EV, FV, Lines, IndexBase };
 Section section_of(std::string_view key) {
   if (key == "V") return Section::V;
   if (key == "EV") return Section::EV;
-  if (key == "FV") return Section::FV;
+  if (key == "FV" || key == "CV") return Section::FV;  // cells of the plane
   if (key == "lines") return Section::Lines;
   return key == "index_base" ? Section::IndexBase : Section::Other;
 }

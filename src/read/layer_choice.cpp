@@ -16,7 +16,7 @@ LayerChoice::LayerChoice(const std::vector<std::string>& layers,
 bool LayerChoice::match(std::vector<Pattern>& patterns, std::string_view name) {
   bool found = false;
   for (Pattern& pattern : patterns) {
-    if (!matches_pattern(name, pattern.text)) continue;
+    if (!is_layer(name, pattern.text)) continue;
     pattern.used = found = true;
   }
   return found;
@@ -39,7 +39,7 @@ void LayerChoice::check(const std::string& file) const {
   const auto fail = [&](const Pattern& pattern) {
     std::string there;
     for (std::size_t i = 0; i < named_.size() && i < kNamedLayers; ++i) {
-      there += (i == 0 ? "" : ", ") + (named_[i].empty() ? "\"\"" : named_[i]);
+      there += (i == 0 ? "\"" : ", \"") + named_[i] + '"';
     }
     throw Error(
         ErrorCode::BadInput,

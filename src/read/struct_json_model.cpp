@@ -141,7 +141,7 @@ void read_labels(const JsonValue& labels, Model& model, Numbers& numbers) {
   expect(labels, JsonType::Array, "a list of labels");
   for (JsonValue label = labels.first(); label; label = label.next()) {
     expect(label, JsonType::Object, "an object");
-    expect_members(label, {"text", "place", "row"});
+    expect_members(label, {"text", "place", "row", "height"});
     const JsonValue text = label.find("text");
     if (!text) label.fail("no member \"text\"");
     Model::Text result{string_of(text), {}};
@@ -152,6 +152,9 @@ void read_labels(const JsonValue& labels, Model& model, Numbers& numbers) {
       result.place = NumberPoint{number_of(x, numbers), number_of(x.next(), numbers)};
     }
     if (const JsonValue row = label.find("row")) result.row = index_of(row);
+    if (const JsonValue height = label.find("height")) {
+      result.height = nearest_double(number_of(height, numbers));
+    }
     const std::size_t rows = model.rows.empty() ? 1 : model.rows.size();
     const bool is_behind = model.labels.empty() || model.labels.back().row <= result.row;
     if (result.row >= rows || !is_behind) label.fail("not of a row, in the order of rows");

@@ -27,7 +27,7 @@ class Doors {
       const std::string layer = input.sources[s].layer;
       is_door_.push_back(!layer.empty() &&
                          std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
-                           return matches_pattern(layer, glob);
+                           return is_layer(layer, glob);
                          }));
     }
   }

@@ -16,7 +16,8 @@ namespace plumbline::rooms_steps {
 namespace {
 
 constexpr double kPrecision = 0.02;
-constexpr double kMostSquares = 256;  // of a very long box, in a row
+constexpr double kMostSquares = 256;        // of a very long box, in a row
+constexpr std::size_t kMostLooks = 20'000;  // then the best one so far will do
 
 double squared_distance(const PointD& p, const SegmentD& s) {
   const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
@@ -32,8 +33,8 @@ class Inside {
   explicit Inside(const std::vector<SegmentD>& sides) : sides_(sides) {
     low_ = high_ = sides.front().a.y;
     for (const SegmentD& s : sides) {
-      low_ = std::min(low_, s.a.y);
-      high_ = std::max(high_, s.a.y);
+      low_ = std::min({low_, s.a.y, s.b.y});
+      high_ = std::max({high_, s.a.y, s.b.y});
     }
     bands_.resize(static_cast<std::size_t>(std::sqrt(static_cast<double>(sides.size()))) + 1);
     for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -88,7 +89,7 @@ class Search {
 
   Circle run() {
     cover_box();
-    while (!squares_.empty()) {
+    for (std::size_t looked = 0; looked < kMostLooks && !squares_.empty(); ++looked) {
       const Square square = squares_.top();
       squares_.pop();
       if (!is_promising(square.most)) break;
@@ -106,8 +107,8 @@ class Search {
   void cover_box() {
     PointD low = sides_.front().a, high = low;
     for (const SegmentD& s : sides_) {
-      low = {std::min(low.x, s.a.x), std::min(low.y, s.a.y)};
-      high = {std::max(high.x, s.a.x), std::max(high.y, s.a.y)};
+      low = {std::min({low.x, s.a.x, s.b.x}), std::min({low.y, s.a.y, s.b.y})};
+      high = {std::max({high.x, s.a.x, s.b.x}), std::max({high.y, s.a.y, s.b.y})};
     }
     const double width = high.x - low.x, height = high.y - low.y;
     slack_ = kPrecision * least_;

@@ -32,14 +32,16 @@ std::size_t room_around(const ExactComplex& complex, const std::vector<std::size
   return room_of[face];
 }
 
-/// Labels that have a place, as one reads them.
-std::vector<std::size_t> in_reading_order(const SegmentSet& input) {
+/// Labels that have a place: large letters first, of the same height as one reads them.
+std::vector<std::size_t> by_size(const SegmentSet& input) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < input.labels.size(); ++i) {
     if (input.labels[i].place) result.push_back(i);
   }
   std::stable_sort(result.begin(), result.end(), [&](std::size_t a, std::size_t b) {
-    const Point &p = *input.labels[a].place, &q = *input.labels[b].place;
+    const Label &first = input.labels[a], &second = input.labels[b];
+    if (first.height != second.height) return first.height > second.height;
+    const Point &p = *first.place, &q = *second.place;
     if (const int by_y = cmp(p.y, q.y); by_y != 0) return input.y_up ? by_y > 0 : by_y < 0;
     return p.x < q.x;
   });
@@ -48,7 +50,7 @@ std::vector<std::size_t> in_reading_order(const SegmentSet& input) {
 
 void add_texts(Rooms& rooms, const SegmentSet& input, const ExactComplex& complex,
                const std::vector<std::size_t>& room_of) {
-  const std::vector<std::size_t> order = in_reading_order(input);
+  const std::vector<std::size_t> order = by_size(input);
   std::vector<Point> places;
   for (const std::size_t i : order) places.push_back(*input.labels[i].place);
   const std::vector<FaceId> faces = locate_all(complex, places);

@@ -54,12 +54,14 @@ Rational three_digits(double value) {
 }
 
 /// Where there is no unit, what parts walls from rooms: the middle of the widest clear gap between
-/// the widths of faces, above one of a 200th of the drawing to a 20th; a 200th where there is none.
+/// the widths of faces, above one of a 200th of the drawing to a 20th. Where there is none, a
+/// 200th; but 0 where that would leave nothing.
 double parting_width(std::vector<double> widths, double extent) {
   constexpr double kMost = 1.0 / 20, kClear = 1.5;
   const double least = kLeastPart * extent;
   std::erase_if(widths, [&](double width) { return width < least; });
   std::sort(widths.begin(), widths.end());
+  if (widths.empty()) return 0;
   double ratio = kClear, parting = least;
   for (std::size_t i = 1; i < widths.size() && widths[i - 1] <= kMost * extent; ++i) {
     if (widths[i] <= ratio * widths[i - 1]) continue;
@@ -87,14 +89,25 @@ std::vector<std::string> layers_of(const SegmentSet& input,
   return {layers.begin(), layers.end()};
 }
 
+/// Whether the drawing is made of areas: then each of them is one, however narrow.
+bool is_of_areas(const SegmentSet& input) {
+  std::size_t sides = 0;
+  for (const Ring& ring : input.rings) {
+    if (ring.role != RingRole::Line) sides += ring.count;
+  }
+  return 2 * sides > input.segments.size();
+}
+
 /// The limits that are not given.
 void choose_limits(Rooms& result, const RoomOptions& options, const std::vector<Circle>& circles,
-                   double extent) {
+                   double extent, bool is_areas) {
   const auto metres = [&](const Rational& value) -> Rational {
     return value / result.unit->metres;
   };
   if (options.min_width) {
     result.min_width = *options.min_width;
+  } else if (is_areas) {
+    result.min_width = 0;
   } else if (result.unit) {
     result.min_width = metres(kLeastWidth);
   } else {
@@ -104,6 +117,8 @@ void choose_limits(Rooms& result, const RoomOptions& options, const std::vector<
   }
   if (options.min_area) {
     result.min_area = *options.min_area;
+  } else if (is_areas) {
+    result.min_area = 0;
   } else if (result.unit) {
     result.min_area = metres(metres(kLeastArea));
   } else {
@@ -119,15 +134,23 @@ Rooms wide_faces(const SegmentSet& input, const ExactComplex& complex, const Roo
   result.unit = options.unit ? options.unit : input.unit;
   if (!options.unit && result.unit && extent * nearest_double(result.unit->metres) < kTiny) {
     result.doubted = std::exchange(result.unit, {});
+    result.extent = extent;
   }
   const auto sides = sides_of_faces(complex);
+  const bool is_areas = is_of_areas(input);
   // Of faces that are narrower than this nothing more is asked.
   const double least = options.min_width ? nearest_double(*options.min_width)
+                       : is_areas        ? 0
                        : result.unit     ? nearest_double(kLeastWidth / result.unit->metres)
                                          : kLeastPart * extent;
-  std::vector<Circle> circles;
-  for (const auto& of_face : sides) circles.push_back(inscribed_circle(of_face, least / 2));
-  choose_limits(result, options, circles, extent);
+  const auto circles_in = [&](double width) {
+    std::vector<Circle> found;
+    for (const auto& of_face : sides) found.push_back(inscribed_circle(of_face, width / 2));
+    return found;
+  };
+  std::vector<Circle> circles = circles_in(least);
+  choose_limits(result, options, circles, extent, is_areas);
+  if (sgn(result.min_width) == 0 && least > 0) circles = circles_in(0);
 
   const std::vector<Rational> areas = face_areas(complex), gross = gross_areas(complex);
   const std::vector<double> lengths = perimeters(complex);

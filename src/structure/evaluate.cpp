@@ -127,7 +127,7 @@ class Evaluation {
   void add_label(const Model::Text& label, SourceId source, const PlaneMap& map) {
     constexpr std::size_t kWordsOfLabel = 20;
     budget_.spend(kWordsOfLabel + label.text.size() / 8);
-    Label placed{source, label.text, {}};
+    Label placed{source, label.text, {}, label.height * rounding_->stretch()};
     if (label.place) {
       const NumberPoint place = map(*label.place);
       placed.place = Point{place.x.rational(), place.y.rational()};

@@ -12,6 +12,12 @@ namespace plumbline {
 /// ASCII in either case.
 bool matches_pattern(std::string_view text, std::string_view pattern);
 
+/// The name of a layer without what binding a drawing into another one put before it: "A-WALL" of
+/// "plan-1$0$A-WALL" and of "plan|A-WALL".
+std::string_view own_layer_name(std::string_view layer);
+/// Whether a pattern stands for the layer's name, or for its own name.
+bool is_layer(std::string_view layer, std::string_view pattern);
+
 /// The drawing with those segments alone that lie on layers of these names, patterns allowed; its
 /// labels stay. Throws: Error BadInput for a pattern that no layer has, with the first of those
 /// that there are.

@@ -28,6 +28,7 @@ struct Model {
     std::string text;
     std::optional<NumberPoint> place;
     std::uint32_t row = 0;
+    double height = 0;  ///< of its letters, **rounded**; 0: not known
 
     friend bool operator==(const Text&, const Text&) = default;
   };

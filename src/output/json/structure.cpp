@@ -58,6 +58,7 @@ auto label(const Model::Text& text) {
                        return member("place",
                                      std::tuple(decimal(x.rational()), decimal(y.rational())));
                      }),
+                when(text.height > 0, [&text] { return member("height", text.height); }),
                 when(text.row > 0, [&text] { return member("row", text.row); }));
 }
 

@@ -57,7 +57,7 @@ std::string list(const Rooms& rooms, const SegmentSet& input, const std::string&
 }  // namespace
 
 std::string to_html(const Rooms& rooms, const SegmentSet& input, const ExactComplex& complex) {
-  const std::string title = (input.files.empty() ? "drawing" : input.files.front()) + ": rooms";
+  const std::string title = svg::sheet::titled(input, "rooms");
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src "

@@ -9,6 +9,7 @@
 #include "output/text/rooms.hpp"
 #include "output/text/terminal.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/geometry/layers.hpp"
 #include "plumbline/output.hpp"
 
 namespace plumbline {
@@ -36,19 +37,46 @@ std::string neighbours_text(const Room& room) {
   return text;
 }
 
+/// Without what binding a drawing put before them: "A-WALL" of "plan-1$0$A-WALL" and "plan|A-WALL".
+std::vector<std::string> own_names(const std::vector<std::string>& layers) {
+  std::vector<std::string> result;
+  for (const std::string& layer : layers) {
+    std::string name(own_layer_name(layer));
+    if (std::find(result.begin(), result.end(), name) == result.end()) {
+      result.push_back(std::move(name));
+    }
+  }
+  return result;
+}
+
 std::string row(const Rooms& rooms, std::size_t r) {
   constexpr std::size_t kWidest = 40, kWidestList = 24;
   const Room& room = rooms.rooms[r];
-  return fmt::format("{:>5}  {:>12}  {:<40}  {:<24}  {}\n", r + 1, area_text(rooms, room.area),
-                     cut(line_text(fmt::format("{}", fmt::join(room.names, ", "))), kWidest),
-                     cut(neighbours_text(room), kWidestList),
-                     cut(line_text(fmt::format("{}", fmt::join(room.layers, ", "))), kWidestList));
+  return fmt::format(
+      "{:>5}  {:>12}  {:<40}  {:<24}  {}\n", r + 1, area_text(rooms, room.area),
+      cut(line_text(fmt::format("{}", fmt::join(room.names, ", "))), kWidest),
+      cut(neighbours_text(room), kWidestList),
+      cut(line_text(fmt::format("{}", fmt::join(own_names(room.layers), ", "))), kWidestList));
 }
 
 /// "least width 0.5 m".
 std::string length_text(const Rooms& rooms, const Rational& length) {
   if (!rooms.unit) return short_number(nearest_double(length));
   return short_number(nearest_double(length * rooms.unit->metres)) + " m";
+}
+
+/// " 22 m in inches (--unit in), ...": units that make a building of it.
+std::string guesses(double extent) {
+  constexpr double kLeast = 4, kMost = 500;
+  constexpr std::array<std::pair<const char*, double>, 5> kUnits{
+      {{"mm", 0.001}, {"cm", 0.01}, {"in", 0.0254}, {"ft", 0.3048}, {"m", 1}}};
+  std::string text;
+  for (const auto& [name, metres] : kUnits) {
+    const double length = extent * metres;
+    if (length < kLeast || length > kMost) continue;
+    text += fmt::format("{} {:.3g} m with --unit {}", text.empty() ? "" : ",", length, name);
+  }
+  return text.empty() ? " what --unit says" : text;
 }
 
 std::string unit_line(const Rooms& rooms) {
@@ -58,15 +86,24 @@ std::string unit_line(const Rooms& rooms) {
   }
   if (rooms.doubted) {
     return fmt::format(
-        "areas in drawing units: the file says {}, with which all of it would be less than 3 m "
-        "long (--unit)\n",
-        line_text(rooms.doubted->name));
+        "areas in drawing units: the file says {}, which would make the drawing {} m long; it "
+        "would "
+        "be{}\n",
+        line_text(rooms.doubted->name),
+        short_number(rooms.extent * nearest_double(rooms.doubted->metres)), guesses(rooms.extent));
   }
-  return "areas in drawing units: the file does not say what they are (--unit mm)\n";
+  return "areas in drawing units: the file does not say what they are (--unit mm, cm, m, in, ft)\n";
 }
 
 std::string left_out(const Rooms& rooms) {
   std::string text;
+  const auto has_door = [](const Room& room) {
+    return std::any_of(room.neighbours.begin(), room.neighbours.end(),
+                       [](const RoomNeighbour& next) { return next.door; });
+  };
+  if (std::any_of(rooms.rooms.begin(), rooms.rooms.end(), has_door)) {
+    text += "d: behind a door\n";
+  }
   if (rooms.narrow > 0) {
     text += fmt::format("left out: {} not {} wide (walls; --min-width)\n",
                         counted(rooms.narrow, "area"), length_text(rooms, rooms.min_width));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace plumbline::dxf {
 namespace {
@@ -161,7 +162,10 @@ std::optional<Model::Text> text_of(const Entity& entity, const Names& names, boo
   }
   std::string text = plain_text(content_of(entity, names, is_mtext), is_mtext);
   if (text.empty()) return {};
-  return Model::Text{std::move(text), is_mtext ? entity.point(kTextPlace) : place_of_text(entity)};
+  constexpr int kHeight = 40;
+  const double height = std::abs(nearest_double(entity.number(kHeight, Number())));
+  return Model::Text{std::move(text), is_mtext ? entity.point(kTextPlace) : place_of_text(entity),
+                     0, height};
 }
 
 std::string plain_text(std::string_view text, bool is_mtext) {
