@@ -69,10 +69,11 @@ struct Rooms {
 };
 
 /// The bounded faces that are rooms, with their names: labels by the exact face that their places
-/// lie in; of a face that is no room, as the box around a number, by the room around it. A place on
-/// a line belongs to no room. Requires: a valid complex of `input`. Cost: O(E log E), for the
-/// circles O(k) per try and face of k edges, and for each named element its segments times the
-/// rooms in its box. Throws: Error BadInput for a negative size.
+/// lie in; of a face that is no room, as the box around a number, by the room around it, also where
+/// a line leads from the box to a wall. A place on a line belongs to no room. Requires: a valid
+/// complex of `input`. Cost: O(E log E), for the circles O(k) per try and face of k edges, and for
+/// each named element its segments times the rooms in its box. Throws: Error BadInput for a
+/// negative size.
 Rooms rooms(const SegmentSet& input, const ExactComplex& complex, const RoomOptions& options = {});
 
 /// Colours for a picture, per room: neighbours have different ones, numbered from 0, as few as a

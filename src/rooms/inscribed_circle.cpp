@@ -117,6 +117,8 @@ class Search {
     if (std::min(width, height) < 2 * least_ || !(step > 0) || !std::isfinite(step)) return;
     Candidates all(sides_.size());
     std::iota(all.begin(), all.end(), std::uint32_t{0});
+    // Of circles that are as large, as in an oblong room, the one in the middle.
+    look_at({low.x + width / 2, low.y + height / 2}, 0, all);
     for (int i = 0; i < std::ceil(width / step); ++i) {
       for (int j = 0; j < std::ceil(height / step); ++j) {
         look_at({low.x + (i + 0.5) * step, low.y + (j + 0.5) * step}, step / 2, all);

@@ -25,13 +25,6 @@ bool is_on_boundary(const ExactComplex& complex, FaceId face, const Point& p) {
          std::any_of(holes.begin(), holes.end(), on_cycle);
 }
 
-/// The face, if it is a room, else the innermost room around its component; kNoRoom without one.
-std::size_t room_around(const ExactComplex& complex, const std::vector<std::size_t>& room_of,
-                        FaceId face) {
-  while (face != kUnbounded && room_of[face] == kNoRoom) face = complex.parent(face);
-  return room_of[face];
-}
-
 /// Labels that have a place: large letters first, of the same height as one reads them.
 std::vector<std::size_t> by_size(const SegmentSet& input) {
   std::vector<std::size_t> result;
@@ -49,7 +42,8 @@ std::vector<std::size_t> by_size(const SegmentSet& input) {
 }
 
 void add_texts(Rooms& rooms, const SegmentSet& input, const ExactComplex& complex,
-               const std::vector<std::size_t>& room_of) {
+               const std::vector<FaceId>& surrounding) {
+  const std::vector<std::size_t> room_of = room_of_face(rooms, complex);
   const std::vector<std::size_t> order = by_size(input);
   std::vector<Point> places;
   for (const std::size_t i : order) places.push_back(*input.labels[i].place);
@@ -57,7 +51,7 @@ void add_texts(Rooms& rooms, const SegmentSet& input, const ExactComplex& comple
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::size_t room = is_on_boundary(complex, faces[k], places[k])
                                  ? kNoRoom
-                                 : room_around(complex, room_of, faces[k]);
+                                 : room_around(surrounding, room_of, faces[k]);
     if (room == kNoRoom) {
       rooms.outside.push_back(order[k]);
     } else {
@@ -167,9 +161,9 @@ void add_names_of_elements(Rooms& rooms, const SegmentSet& input, const ExactCom
 
 }  // namespace
 
-void name_rooms(Rooms& rooms, const SegmentSet& input, const ExactComplex& complex) {
-  const std::vector<std::size_t> room_of = room_of_face(rooms, complex);
-  add_texts(rooms, input, complex, room_of);
+void name_rooms(Rooms& rooms, const SegmentSet& input, const ExactComplex& complex,
+                const std::vector<FaceId>& surrounding) {
+  add_texts(rooms, input, complex, surrounding);
   add_names_of_elements(rooms, input, complex);
 }
 

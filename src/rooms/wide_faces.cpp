@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "plumbline/error.hpp"
-#include "plumbline/polygons.hpp"
 #include "rooms/inscribed_circle.hpp"
 #include "rooms/steps.hpp"
 
@@ -69,14 +68,6 @@ double parting_width(std::vector<double> widths, double extent) {
     parting = std::sqrt(widths[i] * widths[i - 1]);
   }
   return parting;
-}
-
-/// The area within the outer boundary, per face.
-std::vector<Rational> gross_areas(const ExactComplex& complex) {
-  const std::vector<Rational> cycles = cycle_areas(complex);
-  std::vector<Rational> result(complex.face_count());
-  for (std::size_t f = 1; f < complex.face_count(); ++f) result[f] = cycles[complex.face_outer[f]];
-  return result;
 }
 
 std::vector<std::string> layers_of(const SegmentSet& input,
@@ -152,7 +143,7 @@ Rooms wide_faces(const SegmentSet& input, const ExactComplex& complex, const Roo
   choose_limits(result, options, circles, extent, is_areas);
   if (sgn(result.min_width) == 0 && least > 0) circles = circles_in(0);
 
-  const std::vector<Rational> areas = face_areas(complex), gross = gross_areas(complex);
+  const std::vector<Rational> areas = face_areas(complex);
   const std::vector<double> lengths = perimeters(complex);
   const auto sources = face_sources(complex);
   for (std::size_t f = 1; f < complex.face_count(); ++f) {
@@ -166,7 +157,7 @@ Rooms wide_faces(const SegmentSet& input, const ExactComplex& complex, const Roo
                               {},
                               layers_of(input, sources[f]),
                               areas[f],
-                              gross[f],
+                              {},
                               lengths[f],
                               width,
                               circles[f].centre,
@@ -182,6 +173,12 @@ std::vector<std::size_t> room_of_face(const Rooms& rooms, const ExactComplex& co
   std::vector<std::size_t> result(complex.face_count(), kNoRoom);
   for (std::size_t r = 0; r < rooms.rooms.size(); ++r) result[rooms.rooms[r].face] = r;
   return result;
+}
+
+std::size_t room_around(const std::vector<FaceId>& surrounding,
+                        const std::vector<std::size_t>& room_of, FaceId face) {
+  while (face != kUnbounded && room_of[face] == kNoRoom) face = surrounding[face];
+  return room_of[face];
 }
 
 }  // namespace plumbline::rooms_steps
