@@ -35,13 +35,16 @@ if(NODE AND NPM)
   set_tests_properties("page: the checked-in bundle is what its sources make" PROPERTIES
                        FIXTURES_SETUP page_modules)
   if(CHROMIUM)
-    add_test(NAME "page: what a reader sees and does in a browser"
-             COMMAND ${NODE} ${CMAKE_CURRENT_SOURCE_DIR}/report_browser_test.mjs
-                     $<TARGET_FILE:plumbline_cli>
-                     ${PROJECT_BINARY_DIR}/report-page/node_modules ${CHROMIUM}
-                     ${CMAKE_CURRENT_BINARY_DIR}/report_browser)
-    set_tests_properties("page: what a reader sees and does in a browser" PROPERTIES
-                         FIXTURES_REQUIRED page_modules TIMEOUT 7200)
+    set(report_page "page: what a reader sees and does in a browser")
+    set(rooms_page "page: rooms in a browser")
+    foreach(page report rooms)
+      add_test(NAME ${${page}_page}
+               COMMAND ${NODE} ${CMAKE_CURRENT_SOURCE_DIR}/${page}_browser_test.mjs
+                       $<TARGET_FILE:plumbline_cli>
+                       ${PROJECT_BINARY_DIR}/report-page/node_modules ${CHROMIUM}
+                       ${CMAKE_CURRENT_BINARY_DIR}/${page}_browser)
+      set_tests_properties(${${page}_page} PROPERTIES FIXTURES_REQUIRED page_modules TIMEOUT 7200)
+    endforeach()
   endif()
 endif()
 

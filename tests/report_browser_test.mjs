@@ -4,15 +4,14 @@
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
+import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
+import { open } from "./browser.mjs";
+
 const [plumbline, modules, chromium, scratch] = process.argv.slice(2);
-const playwright = createRequire(path.resolve(modules, "x.js"))("playwright-core");
 
 // A room of 40 x 20 with a pillar of 20 x 10 in it, and two triangles with a corner cut off by
 // 1/100: merging within 1/16 joins the two vertices there. Names that must not become markup.
@@ -25,43 +24,20 @@ const drawing = `<svg xmlns="http://www.w3.org/2000/svg">
 <polygon points="50,10 52,10 52,10.01 50,12"/>
 </svg>`;
 
-const profile = mkdtempSync(path.join(tmpdir(), "plumbline-browser-"));
 const file = path.join(scratch, 'a&b"<i>.svg');
 const page_file = path.join(scratch, "report.html");
-const messages = [];
-const requests = [];
-let context, page;
+let opened, context, page;
 
 before(async () => {
   mkdirSync(scratch, { recursive: true });
   writeFileSync(file, drawing);
   const run = spawnSync(plumbline, ["check", file, "--radius", "0.0625", "--report", page_file]);
   assert.equal(run.status, 1, `the float result disagrees: ${run.stderr}`);
-  context = await playwright.chromium.launchPersistentContext(profile, {
-    executablePath: chromium,
-    headless: true,
-    viewport: { width: 1400, height: 900 },
-    colorScheme: "light",
-    hasTouch: true,
-    args: [
-      "--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-quic",
-      "--no-first-run", "--disable-background-networking", "--disable-component-update",
-      "--disable-sync",
-    ],
-  });
-  page = await context.newPage();
-  page.on("console", (message) => messages.push(`${message.type()}: ${message.text()}`));
-  page.on("pageerror", (error) => messages.push(`error: ${error.message}`));
-  page.on("dialog", (dialog) => messages.push(`error: dialog ${dialog.message()}`));
-  page.on("request", (request) => requests.push(request.url()));
-  await page.goto(pathToFileURL(page_file).href);
-  await page.waitForSelector("html[data-ready]", { timeout: 60000 });
+  opened = await open(page_file, modules, chromium);
+  ({ context, page } = opened);
 });
 
-after(async () => {
-  await context?.close();
-  rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
-});
+after(() => opened?.close());
 
 const view = () =>
   page.evaluate(() => {
@@ -110,8 +86,8 @@ const items = () => page.locator("#finding-list > li").count();
 test("the page loads nothing but itself, and says nothing on the console", async () => {
   await still();
   await page.screenshot({ path: path.join(scratch, "all.png") });
-  assert.deepEqual(requests, [pathToFileURL(page_file).href]);
-  assert.deepEqual(messages.filter((message) => message.startsWith("error")), []);
+  assert.deepEqual(opened.requests, [pathToFileURL(page_file).href]);
+  assert.deepEqual(opened.errors(), []);
 });
 
 test("title and verdict are those of the check", async () => {
@@ -361,5 +337,5 @@ test("a browser without WebGL2 says so, and shows the rest", async () => {
 });
 
 test("nothing went wrong on the way", () => {
-  assert.deepEqual(messages.filter((message) => message.startsWith("error")), []);
+  assert.deepEqual(opened.errors(), []);
 });
