@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "plumbline/plumbline.hpp"
@@ -77,6 +79,19 @@ TEST_CASE("a drawing shuffled, reversed and duplicated has the same complex") {
   CHECK(signature(arrange(input)) == expected);
   input.segments = joined(input.segments, input.segments);
   CHECK(signature(arrange(input)) == expected);
+}
+
+TEST_CASE("a wall that ends short by less than its printed double tells still parts two rooms") {
+  const auto file = std::filesystem::temp_directory_path() / "plumbline_joins_drift.lines";
+  std::ofstream(file) << "0,0,4,0\n4,0,4,3\n4,3,0,3\n0,3,0,0\n2,0,2,2.9999999999999996\n";
+  DrawingOptions options;
+  CHECK(summary(exact_answer(file, options).complex).substr(0, 15) == "V 6 E 6 F 2 C 1");
+  options.joins_drift = true;
+  const Drawing joined = exact_answer(file, options);
+  CHECK(summary(joined.complex).substr(0, 15) == "V 6 E 7 F 3 C 1");
+  CHECK(joined.joined.places == 1);
+  CHECK(rooms(joined.input, joined.complex).rooms.size() == 2);
+  std::filesystem::remove(file);
 }
 
 TEST_CASE("a plan of 100 x 100 copies of a room keeps its rooms under any exact map") {

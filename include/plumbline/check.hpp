@@ -93,6 +93,13 @@ inline constexpr double kToleranceOfAnswers = 1e-9;
 Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
             const CheckOptions& options = {});
 
+/// The arrangement of the drawing without its drift: the ends of segments take the sharpest vertex
+/// of their place, and segments are led through what lies beside them; else nothing moves, so that
+/// what ended on a segment does so still. **Exact**. Sources are those of the input. Requires: the
+/// arrangement of the input, and its drift, which has places.
+ExactComplex without_drift(const SegmentSet& input, const ExactComplex& complex, const Drift& drift,
+                           std::size_t threads = 0);
+
 /// How to give advice.
 struct AdviceOptions {
   LadderOptions ladder;

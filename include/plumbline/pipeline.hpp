@@ -33,7 +33,10 @@ struct DrawingOptions {
   std::vector<std::string> walls;
   ExactEngine exact_engine = ExactEngine::Bucket;
   bool both_engines = false;  ///< arranges with the other engine, too, and compares
-  std::size_t threads = 0;    ///< 0: as many as there are cores; does not change the result
+  /// Whether the arrangement is `without_drift`: a gap of 1e-13 between printed doubles makes one
+  /// room of two.
+  bool joins_drift = false;
+  std::size_t threads = 0;  ///< 0: as many as there are cores; does not change the result
   Watch watch;
 };
 
@@ -44,6 +47,7 @@ struct Drawing {
   Structure structure;
   SegmentSet input;
   ExactComplex complex;
+  Drift joined;  ///< with `joins_drift`: what was apart
 };
 
 /// Reads, evaluates, arranges and validates. **Exact**. Throws: as `read`, `evaluate`, `arrange`;

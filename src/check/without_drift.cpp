@@ -159,11 +159,6 @@ void take_findings(const std::vector<Finding>& findings, std::vector<Cause>& cau
 
 }  // namespace
 
-ExactComplex without_drift(const SegmentSet& input, const ExactComplex& complex, const Drift& drift,
-                           std::size_t threads) {
-  return Straightening(input, complex, drift).arranged(threads);
-}
-
 std::size_t vertices_in_drift(const Drift& drift) {
   std::size_t count = 0;
   for (std::size_t v = 0; v < drift.stands_for.size(); ++v) {
@@ -193,3 +188,12 @@ void take_from_drawing(Check& check, std::size_t threads) {
 }
 
 }  // namespace plumbline::check_steps
+
+namespace plumbline {
+
+ExactComplex without_drift(const SegmentSet& input, const ExactComplex& complex, const Drift& drift,
+                           std::size_t threads) {
+  return check_steps::Straightening(input, complex, drift).arranged(threads);
+}
+
+}  // namespace plumbline

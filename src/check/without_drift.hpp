@@ -6,12 +6,6 @@
 
 namespace plumbline::check_steps {
 
-/// The arrangement of the drawing without its drift: the ends of segments take the sharpest vertex
-/// of their place, and segments are led through what lies beside them; else nothing moves, so that
-/// what ended on a segment does so still. **Exact**. Sources are those of the input.
-ExactComplex without_drift(const SegmentSet& input, const ExactComplex& complex, const Drift& drift,
-                           std::size_t threads);
-
 /// How many vertices go where each place of the drift becomes one.
 std::size_t vertices_in_drift(const Drift& drift);
 

@@ -61,6 +61,7 @@ struct DrawingArguments : InputArguments {
   std::vector<std::string> walls = {};  ///< layers that are arranged; none: all
   std::optional<LengthUnit> unit = {};  ///< instead of the file's
   bool unit_square = false;             ///< map the drawing to the unit square first
+  bool joins_drift = false;             ///< join what printed doubles leave apart
 };
 
 struct ArrangeArguments : DrawingArguments {

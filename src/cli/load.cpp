@@ -15,6 +15,7 @@ Drawing load(const DrawingArguments& arguments) {
   options.unit_square = arguments.unit_square;
   options.exact_engine = arguments.exact_engine;
   options.both_engines = arguments.both_engines;
+  options.joins_drift = arguments.joins_drift;
   options.threads = arguments.threads;
   options.watch = [&](const std::string& what, double part) {
     if (!shown || what != step) shown.emplace(what, arguments);

@@ -88,6 +88,10 @@ ExitCode run(const RoomsArguments& arguments, Report& report) {
   set_rooms(report, found);
   report.print("{}{}", to_text(found, drawing.input, arguments.listed),
                layers_hint(arguments, drawing.input));
+  if (const std::size_t places = drawing.joined.places; places > 0) {
+    report.set("joined", places);
+    report.print("joined {}\n", to_text(drawing.joined));
+  }
   const auto write = [&](const std::string& file, const std::string& text) {
     write_file(file, text);
     report.say_written(file);

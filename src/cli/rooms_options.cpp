@@ -25,6 +25,7 @@ void add_size(CLI::App& command, const std::string& name, std::optional<Rational
 }  // namespace
 
 CLI::App* add_command(CLI::App& app, RoomsArguments& arguments) {
+  arguments.joins_drift = true;
   CLI::App* command =
       app.add_subcommand("rooms", "The rooms of a plan: polygons with names, areas, neighbours");
   command->footer(

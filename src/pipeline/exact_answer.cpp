@@ -28,6 +28,14 @@ ExactComplex arranged(const SegmentSet& input, ExactEngine engine, const Drawing
   return arrange(input, engine, arranging);
 }
 
+void join_drift(Drawing& drawing, const DrawingOptions& options) {
+  drawing.joined = drift(drawing.input, drawing.complex);
+  if (drawing.joined.places == 0) return;
+  tell(options.watch, fmt::format("joining {} places", drawing.joined.places));
+  drawing.complex = without_drift(drawing.input, drawing.complex, drawing.joined, options.threads);
+  ensure_valid(validate(drawing.complex));
+}
+
 }  // namespace
 
 Drawing exact_answer(const std::filesystem::path& file, const DrawingOptions& options) {
@@ -51,6 +59,7 @@ Drawing exact_answer(const std::filesystem::path& file, const DrawingOptions& op
   tell(options.watch, fmt::format("validating {} edges", drawing.complex.edge_count()));
   ensure_valid(validate(drawing.complex));
   ensure_valid(validate_coverage(drawing.complex, drawing.input));
+  if (options.joins_drift) join_drift(drawing, options);
   return drawing;
 }
 
