@@ -209,6 +209,14 @@ TEST_CASE("the largest circle in a polygon") {
     CHECK(circle.radius == Approx(1.5).epsilon(0.02));
     CHECK(circle.centre == PointD{5, 1.5});
   }
+  SECTION("whose sides run in any direction") {
+    const std::vector<SegmentD> sides{{{0, 0}, {8, 4}}, {{0, 8}, {8, 4}}, {{0, 0}, {0, 8}}};
+    CHECK(inscribed_circle(sides, 0).radius ==
+          Approx(64 / (8 + 2 * std::sqrt(80.0))).epsilon(0.02));  // 2 area / perimeter
+  }
+  SECTION("a very long strip, in some thousand squares") {
+    CHECK(inscribed_circle(polygon({{0, 0}, {1e9, 0}, {1e9, 1}, {0, 1}}), 0).radius <= 0.5);
+  }
   SECTION("a right triangle: (a + b - c) / 2") {
     const auto circle = inscribed_circle(polygon({{0, 0}, {4, 0}, {0, 3}}), 0);
     CHECK(circle.radius == Approx(1).epsilon(0.02));
@@ -265,5 +273,5 @@ TEST_CASE("lines of chosen layers alone, with what belongs to them") {
   CHECK(walls.sources[walls.segment_source[4]].layer == "Walls inside");
   CHECK(on_layers(input, {"*"}).segments == input.segments);
   CHECK_THROWS_WITH(on_layers(input, {"Walls", "Doors"}),
-                    Catch::Matchers::Contains("Furniture, Walls, Walls inside"));
+                    Catch::Matchers::Contains(R"("Furniture", "Walls", "Walls inside")"));
 }

@@ -62,8 +62,8 @@ FeatureLayer vertex_layer(const Rounding& rounding);
 /// own area and perimeter, so that sums are right. Columns: `room`,
 /// its number from 1, `name` (all names, "; " between), `area` and `area_exact` of the exact face,
 /// `area_m2` where the unit is known, `perimeter`, `layers`, `depth`, `parent`, `neighbours` ("2
-/// 5"), `doors` (neighbours behind doors), `face`. Requires: a rounding of the complex of the
-/// rooms.
+/// 5"), `doors` (neighbours behind doors), `face`, that of `face_layer`. Requires: a rounding of
+/// the complex of the rooms.
 FeatureLayer room_layer(const Rooms& rooms, const Rounding& rounding);
 
 /// "nearest doubles, the same incidences as the exact complex, proven".

@@ -25,7 +25,7 @@ std::string neighbours_where(const Room& room, Test test) {
 
 /// What is known of the room; of a part of one its own area and perimeter.
 std::vector<FeatureValue> values_of(const Rooms& rooms, std::size_t r, const Rational& area,
-                                    double perimeter) {
+                                    double perimeter, FaceId face) {
   const Room& room = rooms.rooms[r];
   std::vector<FeatureValue> values{number(r + 1), fmt::format("{}", fmt::join(room.names, "; ")),
                                    nearest_double(area), exact_text(area)};
@@ -39,7 +39,7 @@ std::vector<FeatureValue> values_of(const Rooms& rooms, std::size_t r, const Rat
   values.push_back(room.parent ? number(*room.parent + 1) : FeatureValue());
   values.emplace_back(neighbours_where(room, [](const RoomNeighbour&) { return true; }));
   values.emplace_back(neighbours_where(room, [](const RoomNeighbour& next) { return next.door; }));
-  values.push_back(number(room.face));
+  values.push_back(number(face));
   return values;
 }
 
@@ -71,7 +71,8 @@ FeatureLayer room_layer(const Rooms& rooms, const Rounding& rounding) {
       layer.features.push_back(
           {features::parts(rounding.complex, polygon),
            values_of(rooms, r, is_whole ? rooms.rooms[r].area : areas.at(polygon.face),
-                     is_whole ? rooms.rooms[r].perimeter : lengths.at(polygon.face))});
+                     is_whole ? rooms.rooms[r].perimeter : lengths.at(polygon.face),
+                     polygon.face)});
     }
   }
   return layer;

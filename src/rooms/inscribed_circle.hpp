@@ -16,7 +16,7 @@ struct Circle {
 /// radius and of `least` (where that is 0, a thousandth of the polygon); where it is smaller than
 /// `least`, some smaller one. **Rounded**. Cost: for each square that is looked at the sides near
 /// it; some dozens of squares where the polygon is about as wide as its box, about its area by the
-/// square of `least` where it winds.
+/// square of `least` where it winds, 20,000 at most: then it is the largest one so far.
 Circle inscribed_circle(const std::vector<SegmentD>& sides, double least);
 
 }  // namespace plumbline::rooms_steps
