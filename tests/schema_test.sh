@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# tests/schema_test.sh PLUMBLINE FITS-SCHEMA SOURCES: what the tool writes as JSON fits the schemas in docs/, which
+# refuse what is nearly the same.
+set -uo pipefail
+plumbline=$1
+fits_schema=$2
+sources=$3
+data=$sources/examples/data
+# shellcheck source-path=SCRIPTDIR source=support/expect.sh
+source "$(dirname "${BASH_SOURCE[0]}")/support/expect.sh"
+# fits SCHEMA COMMAND...: the output of the tool fits.
+# shellcheck disable=SC2317 # expect calls it, as what follows
+fits() {
+  local schema=$1
+  shift
+  "$plumbline" "$@" 2>/dev/null | "$fits_schema" "$sources/docs/$schema.schema.json"
+  return "${PIPESTATUS[1]}"
+}
+# summary_fits COMMAND...: so does what is said with --json, as that command's.
+# shellcheck disable=SC2317
+summary_fits() {
+  "$plumbline" "$@" --json 2>/dev/null | "$fits_schema" "$sources/docs/summary.schema.json" "$1"
+  return "${PIPESTATUS[1]}"
+}
+# damaged SCHEMA SED-PROGRAM: what the program makes of the file plan.json does not fit.
+# shellcheck disable=SC2317
+damaged() {
+  local text
+  text=$(sed -zE "$2" plan.json)
+  [[ $text != "$(<plan.json)" ]] || { echo "nothing is changed" && return 2; }
+  "$fits_schema" "$sources/docs/$1.schema.json" <<<"$text"
+}
+
+# ---- Files
+printf '0,0,9,0\n0,0,1e400,1\n' >far.lines
+printf '0,0,3,1\n0,1,3,0\n0,0,0.4,0.3\n1,0,1.2,0.1\n0,1,1e-9,2\n' >narrow.lines
+: >empty.lines
+sed 's|<svg[^>]*>|&<path d="M0 0L7 3m1 1l0 0"/><path id="x" d="M0 0a3 4 30 0 0 7 1"/><text x="3" y="4">a \& b</text><image/>|' \
+  "$data/dwelling.svg" >mixed.svg
+for drawing in "$data"/{dwelling,hospital-ward,office-plan}.svg "$data"/{flat.dxf,rooms.geojson,rooms.json} \
+  "$sources"/examples/structures/tables.json narrow.lines far.lines empty.lines mixed.svg; do
+  name=$(basename "$drawing")
+  for options in '' --compact --safe '--safe --decimals 0'; do
+    [[ $name != far.lines || -z $options || $options == --compact ]] || continue # beyond doubles
+    # shellcheck disable=SC2086 # several options
+    expect "arrange $options $name" 0 '^$' fits arrange arrange "$drawing" --lenient $options -o - --format json
+  done
+  expect "rooms $name" 0 '^$' fits rooms rooms "$drawing" --lenient -o - --format json
+  expect "diagnosis $name" 0 '^$' fits diagnosis info "$drawing" --lenient --diagnose -o -
+  expect "check $name" 0 '^$' fits check check "$drawing" --lenient -o -
+done
+
+# ---- Summaries
+for drawing in "$data/flat.dxf" mixed.svg; do
+  for command in arrange info check lar rooms; do
+    expect "summary of $command" 0 '^$' summary_fits $command "$drawing" --lenient
+  done
+done
+expect "of the same with more to tell" 0 '^$' summary_fits info "$data/dwelling.svg" --diagnose --ladder
+expect "of LAR's module as published" 0 '^$' summary_fits lar "$data/dwelling.svg" --variant published
+expect "of an engine without a radius" 0 '^$' summary_fits check "$data/rooms.geojson" --against "$data/rooms.wkt"
+expect "of nothing" 0 '^$' summary_fits info empty.lines --lenient
+expect "of files that are written" 0 '^$' summary_fits arrange "$data/dwelling.svg" -o plan.json
+expect "of a structure" 0 '^$' summary_fits eval "$data/dwelling.svg"
+expect "of a structure as lines" 0 '^$' summary_fits eval "$data/dwelling.svg" -o flat.lines
+expect "of random segments" 0 '^$' summary_fits random 3 -o random.lines
+expect "of an error" 0 '^$' fits summary info nothing.svg --json
+expect "of several drawings" 0 '^$' fits summary info "$data"/*.svg nothing.svg --json
+
+# ---- What does not fit
+expect "an edge whose antenna is a number" 1 ':' damaged arrange 's/"antenna": (false|true)/"antenna": 0/'
+expect "an edge of no segment" 1 ':' damaged arrange 's/"segments": \[[0-9 ,]+\]/"segments": []/'
+expect "an edge counted from 0" 1 ':' damaged arrange 's/"outer": \[-?[0-9]+/"outer": [0/'
+expect "a coordinate as a number" 1 ':' damaged arrange 's/"exact": \["([^"]*)"/"exact": [\1/'
+expect "another format" 1 ':' damaged arrange 's/arrangement 1"/arrangement 0"/'
+expect "a key that is no more" 1 ':' damaged arrange 's/"ledger":/"ledgers":/'
+expect "a key that is new" 1 ':' damaged arrange 's/"exact": true/"exact": true, "more": 1/'
+"$plumbline" rooms "$data/flat.dxf" -o plan.json >/dev/null
+expect "an area as text" 1 ':' damaged rooms 's/"area": ([0-9.]+)/"area": "\1"/'
+expect "a room counted from 0" 1 ':' damaged rooms 's/"room": 1/"room": 0/'
+expect "a name that is none" 1 ':' damaged rooms 's/"names": \[[^]]*\]/"names": [1]/'
+"$plumbline" arrange "$data/flat.dxf" --json >plan.json
+expect "a summary with half a vertex" 1 ':' damaged summary 's/"vertices": [0-9]+/&.5/'
+expect "a summary of another command's keys" 1 ':' damaged summary 's/"signature"/"agree"/'
+finish
