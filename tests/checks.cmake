@@ -13,6 +13,10 @@ file(GLOB validation_scripts ${PROJECT_SOURCE_DIR}/validation/*/run)
 add_test(NAME "validation: --help prints help and does nothing else"
          COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/validation_help_test.sh ${validation_scripts})
 
+get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+add_test(NAME "headers: as C++17 they are refused in one sentence"
+         COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/cxx17_test.sh ${CMAKE_CXX_COMPILER} -isystem ${eigen})
+
 set(layering ${CMAKE_CURRENT_SOURCE_DIR}/layering.cmake)
 add_test(NAME "layers: no include goes up"
          COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -DTIGHT=ON -P ${layering})

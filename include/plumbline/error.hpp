@@ -1,5 +1,11 @@
 #pragma once
 
+// Every other header comes here before anything that needs it. A header that is not there ends the
+// compile, as #error does not: one line, not those that would follow.
+#if __cplusplus < 202002L
+#include "plumbline needs C++20: compile with -std=c++20"
+#endif
+
 #include <cstdint>
 #include <stdexcept>
 #include <string>

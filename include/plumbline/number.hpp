@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "plumbline/error.hpp"
+
 namespace plumbline {
 
 /// Exact rational number, always in lowest terms. The same type as CGAL::Exact_rational when CGAL
@@ -78,10 +80,11 @@ class Number {
   std::int32_t digits_ = 0;  ///< or kNoDecimal
 };
 
-/// The rational number that a decimal text denotes: `[+-] (digits [. [digits]] | . digits) [(e|E)
-/// [+-] digits]`, or `p/q` with integers p and q > 0. **Exact**. Degenerate: `-0` is 0. Surrounding
-/// blanks are not accepted. Cost: O(M(n)) for n digits. Throws: Error BadInput (not a number),
-/// Limit (more than kMaxDecimalDigits digits, or an exponent beyond kMaxDecimalExponent).
+/// The rational number that a text denotes: a decimal (sign, digits with a point before, between or
+/// after them, exponent, as in `-12.5e-3`; only digits are needed) or `p/q` with integers p and
+/// q > 0. **Exact**. Degenerate: "-0" is 0. Surrounding blanks are not accepted. Cost: O(M(n)) for
+/// n digits. Throws: Error BadInput (not a number), Limit (more than kMaxDecimalDigits digits, or
+/// an exponent beyond kMaxDecimalExponent).
 Rational parse_decimal(std::string_view text);
 /// The same as a Number. Cost: some nanoseconds for a decimal without exponent of up to 18 digits.
 Number parse_number(std::string_view text);

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <iterator>
 
+#include "plumbline/error.hpp"
+
 namespace plumbline {
 
 /// Random access to a sequence whose `operator[]` makes its items, by value.

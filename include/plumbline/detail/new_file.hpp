@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "plumbline/error.hpp"
+
 namespace plumbline {
 
 /// A file that is whole or not there: its content goes to a temporary beside it, which `commit`

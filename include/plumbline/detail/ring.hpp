@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "plumbline/error.hpp"
+
 namespace plumbline {
 
 /// What a ring bounds.
