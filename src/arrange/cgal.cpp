@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
 
 #include "arrange/cgal_engine.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/polygons.hpp"
 
 namespace plumbline {
 
@@ -125,6 +127,10 @@ Point from_cgal(const Kernel::Point_2& p) {
   return {exact.x(), exact.y()};
 }
 
+Point from_cgal(const CGAL::Exact_predicates_inexact_constructions_kernel::Point_2& p) {
+  return {rational_from(p.x()), rational_from(p.y())};
+}
+
 Arrangement arrangement(const SegmentSet& input) {
   std::vector<Traits::Curve_2> curves;
   curves.reserve(input.segments.size());
@@ -143,6 +149,20 @@ Arrangement arrangement(const SegmentSet& input) {
 
 ExactComplex to_complex(const Arrangement& arrangement, const SegmentSet& input) {
   return Conversion(arrangement, input).convert();
+}
+
+std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons(const ExactComplex& complex) {
+  const auto polygon = [&complex](std::span<const VertexId> ring) {
+    CGAL::Polygon_2<Kernel> result;
+    for (const VertexId v : ring) result.push_back(to_cgal(complex.vertices[v]));
+    return result;
+  };
+  std::vector<CGAL::Polygon_with_holes_2<Kernel>> all;
+  for (const FacePolygon& face : plumbline::polygons(complex)) {
+    all.emplace_back(polygon(face.outer));
+    for (std::size_t h = 0; h < face.holes.size(); ++h) all.back().add_hole(polygon(face.holes[h]));
+  }
+  return all;
 }
 
 }  // namespace cgal
