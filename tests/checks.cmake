@@ -62,6 +62,7 @@ add_custom_target(consumer
 add_dependencies(consumer plumbline plumbline_cli plumbline_verify)
 add_dependencies(other_builds consumer)
 add_test(NAME "package: an installed copy is found and linked" COMMAND ${consumer}/build/consumer)
+add_test(NAME "package: pkg-config finds it, too" COMMAND ${consumer}/build/pkg_config_consumer)
 add_test(NAME "package: an installed copy is found and linked, with CGAL"
          COMMAND ${consumer}/build/cgal_consumer)
 

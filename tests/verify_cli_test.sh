@@ -6,6 +6,7 @@ verify=$1
 plumbline=$2
 certificates=$3
 sanitizer=${4-}
+manual=$(tr -d '\134' <"$(dirname "${BASH_SOURCE[0]}")/../src/checker/plumbline-verify.1")
 # shellcheck source-path=SCRIPTDIR source=support/expect.sh
 source "$(dirname "${BASH_SOURCE[0]}")/support/expect.sh"
 
@@ -21,6 +22,9 @@ for file in "$certificates"/*.txt; do
 done
 
 expect "help has an example" 0 'plumbline-verify plan.lines plan.certificate' "$verify" --help
+for option in $("$verify" --help | grep -oE -- '^  --[a-z-]+'); do
+  expect "the manual page has $option" 0 '' grep -qF -- "$option" <<<"$manual"
+done
 expect "no file is a usage error" 2 '^usage: plumbline-verify .*INPUT CERTIFICATE' "$verify"
 expect "one file is a usage error" 2 '^usage: ' "$verify" crossing.lines
 expect "three files are a usage error" 2 '^usage: ' "$verify" crossing.lines crossing.certificate more
