@@ -52,6 +52,12 @@ if(NODE AND NPM)
   endif()
 endif()
 
+find_program(DOXYGEN doxygen)
+if(DOXYGEN)
+  add_test(NAME "docs: pages are made of the headers without a warning"
+           COMMAND ${scripts}/docs ${CMAKE_CURRENT_BINARY_DIR}/docs)
+endif()
+
 # A project that uses the installed package.
 set(consumer ${CMAKE_CURRENT_BINARY_DIR}/consumer)
 add_custom_target(consumer
