@@ -60,6 +60,13 @@ TEST_CASE("rooms with walls of no width are neighbours by the length of the wall
   CHECK(room_colours(found) == std::vector<std::size_t>{0, 1});
 }
 
+TEST_CASE("a room may end in one corner on the right") {
+  const Rooms found = Plan("0 0 0 4\n0 4 6 2\n6 2 0 0\n").rooms();
+  REQUIRE(found.rooms.size() == 1);
+  CHECK(found.rooms[0].area == 12);
+  CHECK(found.rooms[0].width == Approx(48 / (4 + 2 * std::sqrt(40))).epsilon(0.02));
+}
+
 TEST_CASE("walls are no rooms, rooms on both sides of one face each other") {
   // Outer walls of 0.3 m, a wall of 0.2 m between two rooms of 4 x 3 and 5 x 3 m; in decimetres.
   const std::string walls =
@@ -219,6 +226,10 @@ TEST_CASE("the largest circle in a polygon") {
   }
   SECTION("a right triangle: (a + b - c) / 2") {
     const auto circle = inscribed_circle(polygon({{0, 0}, {4, 0}, {0, 3}}), 0);
+    CHECK(circle.radius == Approx(1).epsilon(0.02));
+  }
+  SECTION("sides may run either way, as edges do: from left to right") {
+    const auto circle = inscribed_circle({{{0, 0}, {0, 3}}, {{0, 0}, {4, 0}}, {{0, 3}, {4, 0}}}, 0);
     CHECK(circle.radius == Approx(1).epsilon(0.02));
   }
   SECTION("a regular polygon: the apothem") {
