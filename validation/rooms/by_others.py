@@ -90,16 +90,16 @@ def ours_of(program, drawing, options, folder):
     for feature in polygons["features"]:
         parts[feature["properties"]["room"]].append(shapely.geometry.shape(feature["geometry"]))
     rooms = []
-    for room in json.loads(summary)["rooms"]:
+    for room, more in zip(json.loads(summary)["rooms"], full["rooms"], strict=True):
         largest = max(parts[room["room"]], key=lambda part: part.area)
-        rooms.append((largest, room["area"], set(room["names"])))
+        rooms.append((largest, room["area"], more["width"], set(room["names"])))
     return rooms, full, json.loads(summary)["texts_outside"]
 
 
 def held_against(rooms, theirs, slack):
     """What differs, in words; how many names agree; the largest relative difference of areas."""
     differ, met, largest, names = [], set(), 0.0, 0
-    for polygon, area, words in rooms:
+    for polygon, area, across, words in rooms:
         point = polygon.representative_point()
         face = theirs.face_at(point)
         where = f"room at ({point.x:.6g}, {point.y:.6g})"
@@ -113,6 +113,8 @@ def held_against(rooms, theirs, slack):
         largest = max(largest, abs(other.area - area) / other.area)
         if abs(other.area - area) > RELATIVE * other.area + slack * other.length:
             differ.append(f"{where} has area {area!r}, theirs {other.area!r}")
+        if abs(theirs.widths[face] - across) > CIRCLE * (theirs.widths[face] + theirs.min_width):
+            differ.append(f"{where} is {across!r} wide, by them {theirs.widths[face]!r}")
         if face in theirs.names:
             names += len(words)
             plain = {" ".join(word.split()) for word in words}
@@ -169,9 +171,9 @@ Made by `validation/rooms/run DRAWING[,UNIT]...` with ezdxf {ezdxf} and Shapely 
 drawing by itself: ezdxf explodes inserts and leaves out what is hidden; `unary_union` and `polygonize` make faces. A room is
 a face that is as large as `rooms` says that one is at least, with a circle in it (`maximum_inscribed_circle`) as wide as
 that; texts belong to the room that they lie in, or whose outline is the smallest around the face that they lie in.
-*Same* is: the same rooms, one by one; areas that differ by 1e-9 of their size at most; the same names of each; as many texts
-in no room. Least sizes are those that `rooms` has chosen, 0.5 m where the unit is known; *either*: faces as wide as that
-within the 2 percent of its circles. Of drawings with curves both sides make chords within 1e-5 of the drawing's
+*Same* is: the same rooms, one by one; areas that differ by 1e-9 of their size at most; widths that
+differ by 2 percent, of the room's and of the least one; the same names of each; as many texts in no room. Least sizes are
+those that `rooms` has chosen, 0.5 m where the unit is known; *either*: faces as wide as that within 2 percent. Of drawings with curves both sides make chords within 1e-5 of the drawing's
 extent, and areas may differ by twice that along the perimeter.
 
 | drawing | segments | lines | their faces | their rooms | either | ours | names | texts outside | areas within | rooms and names |
