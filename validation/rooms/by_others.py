@@ -19,6 +19,7 @@ import lines_and_texts
 
 UNITS = {"in": 0.0254, "ft": 0.3048, "mm": 0.001, "cm": 0.01, "m": 1.0}
 RELATIVE = 1e-9
+SLIVER = 1e-12  # of the extent: as wide as digits of doubles tell, and no wider
 CIRCLE = 0.02  # as precise as Plumbline says that its circles are
 
 
@@ -47,6 +48,8 @@ class Theirs:
         self.widths = [width(face, min_width / 1000) for face in self.faces]
         self.rooms = [i for i, face in enumerate(self.faces) if self.is_room(i, 1)]
         self.doubtful = {i for i in range(len(self.faces)) if self.is_room(i, 1 - CIRCLE) != self.is_room(i, 1 + CIRCLE)}
+        slightest = SLIVER * lines_and_texts.extent(drawing)
+        self.doubtful |= {i for i, across in enumerate(self.widths) if across < slightest}
         self.tree = shapely.STRtree(self.faces)
         self.names = {i: set() for i in self.rooms}
         self.outside = 0
@@ -173,8 +176,9 @@ a face that is as large as `rooms` says that one is at least, with a circle in i
 that; texts belong to the room that they lie in, or whose outline is the smallest around the face that they lie in.
 *Same* is: the same rooms, one by one; areas that differ by 1e-9 of their size at most; widths that
 differ by 2 percent, of the room's and of the least one; the same names of each; as many texts in no room. Least sizes are
-those that `rooms` has chosen, 0.5 m where the unit is known; *either*: faces as wide as that within 2 percent. Of drawings with curves both sides make chords within 1e-5 of the drawing's
-extent, and areas may differ by twice that along the perimeter.
+those that `rooms` has chosen, 0.5 m where the unit is known; *either*: faces as wide as that within 2 percent,
+and slivers of a 1e-12th of the extent, which doubles make and `rooms` joins. Of drawings with curves both sides make
+chords within 1e-5 of the drawing's extent, and areas may differ by twice that along the perimeter.
 
 | drawing | segments | lines | their faces | their rooms | either | ours | names | texts outside | areas within | rooms and names |
 | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"""
