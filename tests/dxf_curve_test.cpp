@@ -254,3 +254,25 @@ TEST_CASE("curves in blocks are flattened once and placed exactly") {
     CHECK(set.segments[half + i].a == Point{2 * (small.x - 10), 2 * small.y + 10});
   }
 }
+
+TEST_CASE("a small curve of a large drawing is drawn as the drawing needs it") {
+  const auto chords = [](const std::string& frame, const std::string& block) {
+    const std::string blocks =
+        "0 SECTION 2 BLOCKS 0 BLOCK 2 B 10 0 20 0 0 CIRCLE 8 0 10 0 20 0 40 1 "
+        "0 ENDBLK 0 ENDSEC";
+    return evaluate(read_dxf(dxf_with(frame + block, blocks), "a.dxf")).segments.size() -
+           (frame.empty() ? 0 : 1);
+  };
+  const std::string insert = "0 INSERT 2 B 10 500 20 0";
+  const std::string enlarged = insert + " 41 120 42 120";
+  const std::string diagonal = "0 LINE 8 0 10 0 20 150 11 1000 21 160 ";
+  CHECK(chords("", insert) > 48);        // 0.001 x 2
+  CHECK(chords(diagonal, insert) < 20);  // 0.0002 x 1000, a tenth of the circle
+  CHECK(chords(diagonal, insert) >= 12);
+  CHECK(chords(diagonal, enlarged) == chords("", insert));  // the drawing is 4 times the circle
+  // What is far away is not a part of the drawing.
+  const std::string stray = "0 LINE 8 0 10 90000 20 0 11 90001 21 0 ";
+  const std::string house =
+      " 0 LINE 8 0 10 499 20 -2 11 501 21 -2 0 LINE 8 0 10 499 20 2 11 501 21 2";
+  CHECK(chords(stray, insert + house) == chords("", insert + house));
+}

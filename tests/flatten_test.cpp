@@ -134,7 +134,7 @@ TEST_CASE("a tolerance that would take too many chords is refused") {
 }
 
 TEST_CASE("a drawing whose curves take too many chords in all is refused") {
-  Flattener flattener(within(Rational(1, 1000)), 100);
+  Flattener flattener(within(Rational(1, 1000)), 0, 100);
   const std::size_t chords = flattener.ellipse(circle(1)).points.size() - 1;
   CHECK(chords > 50);
   CHECK_THROWS_AS(flattener.ellipse(circle(1)), Error);

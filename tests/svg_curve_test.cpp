@@ -183,3 +183,23 @@ TEST_CASE("a curve that would take too many chords is rejected alone") {
   CHECK(segments_of(set) == "0 0, 1 0\n6 0, 7 0\n");
   CHECK(rejected_of(set) == "a.svg:1:6 path: curve of more than 131072 chords: C2 3 4 5 6 0\n");
 }
+
+TEST_CASE("Bezier curves of a large drawing are drawn as the drawing needs it, also when reduced") {
+  const std::string letter = "<path d=\"M0 0c0 5.5 4.5 10 10 10s10 -4.5 10 -10\"/>";
+  const std::string page = "<rect x=\"-9999\" width=\"10000\" height=\"1000\"/>";
+  const std::size_t alone = drawn(letter).segments.size();
+  const std::size_t on_page = drawn(letter + page).segments.size() - 4;
+  CHECK(alone == 64);
+  CHECK(on_page == 4);
+  const std::string reduced = "<g transform=\"scale(0.01)\">";
+  CHECK(drawn(reduced + letter + "</g>").segments.size() == alone);
+  CHECK(drawn(reduced + letter + page + "</g>").segments.size() - 4 == on_page);
+  CHECK(drawn(reduced + letter + "</g><rect width=\"0.2\" height=\"0.2\"/>").segments.size() - 4 ==
+        alone);
+}
+
+TEST_CASE("a given tolerance holds for curves of any drawing") {
+  const std::string circle = "<circle r=\"1\"/>", page = "<rect width=\"9999\" height=\"9999\"/>";
+  const Rational fine(1, 10000);
+  CHECK(drawn(circle + page, fine).segments.size() - 4 == drawn(circle, fine).segments.size());
+}

@@ -17,6 +17,7 @@
 #include "plumbline/error.hpp"
 #include "plumbline/features.hpp"
 #include "plumbline/geometry.hpp"
+#include "plumbline/geometry/extent.hpp"
 #include "plumbline/ladder.hpp"
 #include "plumbline/number.hpp"
 #include "plumbline/output.hpp"

@@ -25,7 +25,10 @@ struct ReadOptions {
   /// One of kFormats; "": what the file's ending says, of a file without one its first bytes.
   std::string format;
   /// Largest distance of a curve from the chords that replace it, in the units of the curve's own
-  /// coordinates; 0 stands for a thousandth of the longer side of the curve's bounding box.
+  /// coordinates. 0 stands for a thousandth of the longer side of the curve's bounding box, or
+  /// where that is more for a 5000th of the longer side of the drawing's `extent`, over the largest
+  /// factor by which the drawing's maps enlarge a curve, but at most a tenth of the curve's longer
+  /// side.
   Rational chord_tolerance = 0;
   /// Bound on the deviation of angles whose sine and cosine are not rational, in radians.
   double angle_bound = kAngleBound;

@@ -182,7 +182,8 @@ void add_reading(CLI::App& command, InputArguments& arguments) {
                         tolerance);
           },
           "Curves become chords no further than this from the curve, in the units of the curve's "
-          "own coordinates [default: 0.001 x the curve's longer side]")
+          "own coordinates [default: 0.001 x the curve's longer side; of small curves 0.0002 x the "
+          "drawing's, at most 0.1 x their own]")
       ->type_name("TOLERANCE");
   command
       .add_option("--angle", arguments.reading.angle_bound,

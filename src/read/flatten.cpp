@@ -18,6 +18,9 @@ struct Homogeneous {
   mpz_class x, y, w;
 };
 
+/// Tolerances that nobody gave are from the curve's longer side / kFinest to / kCoarsest.
+constexpr int kFinest = 1000, kCoarsest = 10;
+
 Rational squared_length(const Point& p) { return p.x * p.x + p.y * p.y; }
 
 std::vector<Homogeneous> homogeneous(std::span<const Point> points,
@@ -100,8 +103,10 @@ Rational squared_chord_error(std::span<const Point> points, std::span<const Rati
 
 }  // namespace
 
-Flattener::Flattener(const ReadOptions& options, std::size_t max_document_chords)
+Flattener::Flattener(const ReadOptions& options, Rational least_tolerance,
+                     std::size_t max_document_chords)
     : tolerance_(options.chord_tolerance),
+      least_tolerance_(std::move(least_tolerance)),
       chords_left_(std::min(max_document_chords, options.max_segments)) {
   if (sgn(tolerance_) < 0) {
     throw Error(ErrorCode::BadInput, "negative chord tolerance", {}, exact_text(tolerance_));
@@ -114,6 +119,7 @@ void Flattener::spend(std::size_t chords) {
                 "the curves of the drawing take too many chords; take a larger tolerance");
   }
   chords_left_ -= chords;
+  has_curves_ = true;
 }
 
 Rational Flattener::squared_tolerance(std::span<const Point> points) const {
@@ -125,7 +131,9 @@ Rational Flattener::squared_tolerance(std::span<const Point> points) const {
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
     return *high.*coordinate - *low.*coordinate;
   };
-  const Rational tolerance = std::max(extent(&Point::x), extent(&Point::y)) / 1000;
+  const Rational longer = std::max(extent(&Point::x), extent(&Point::y));
+  const Rational tolerance =
+      std::clamp(least_tolerance_, Rational(longer / kFinest), Rational(longer / kCoarsest));
   return tolerance * tolerance;
 }
 

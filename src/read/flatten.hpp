@@ -46,9 +46,13 @@ class Flattener {
   static constexpr std::size_t kMaxChords = std::size_t{1} << 17U;
   static constexpr std::size_t kMaxDocumentChords = std::size_t{1} << 24U;
 
-  /// Throws: Error BadInput for a negative tolerance.
-  explicit Flattener(const ReadOptions& options,
+  /// Where the options give no tolerance, a curve's is a thousandth of its longer side or, where
+  /// that is more, `least_tolerance`, but at most a tenth of its longer side. Throws: Error
+  /// BadInput for a negative tolerance.
+  explicit Flattener(const ReadOptions& options, Rational least_tolerance = 0,
                      std::size_t max_document_chords = kMaxDocumentChords);
+
+  bool has_curves() const { return has_curves_; }  ///< whether it had any to replace
 
   /// A Bezier curve of any degree >= 1 with weights (none: all 1), by de Casteljau at the
   /// parameters i / 2^k. **Exact**. The same points from either end. Degenerate: a loop has at
@@ -67,9 +71,10 @@ class Flattener {
   Rational squared_tolerance(std::span<const Point> points) const;
   void spend(std::size_t chords);
 
-  Rational tolerance_;
+  Rational tolerance_, least_tolerance_;
   CirclePoints circle_points_;
   std::size_t chords_left_;
+  bool has_curves_ = false;
 };
 
 }  // namespace plumbline

@@ -5,6 +5,7 @@
 
 #include "plumbline/error.hpp"
 #include "plumbline/read.hpp"
+#include "read/drawing_tolerance.hpp"
 #include "read/dxf/binary.hpp"
 #include "read/dxf/entity_reader.hpp"
 #include "read/dxf/space.hpp"
@@ -40,15 +41,18 @@ bool is_paper_space(const std::string& key) {
 
 class DxfReader {
  public:
-  DxfReader(std::string_view text, const std::string& file_name, const ReadOptions& options)
+  DxfReader(std::string_view text, const std::string& file_name, const ReadOptions& options,
+            const Rational& least_tolerance)
       : file_name_(file_name),
         records_(text, file_name),
         numbers_(options.shortest_decimals),
         layers_(names_, options),
         styles_(text, file_name, names_),
-        entities_(drawing_, names_, layers_, styles_, numbers_, options) {}
+        entities_(drawing_, names_, layers_, styles_, numbers_, options, least_tolerance) {}
 
-  Structure read() && {
+  bool has_curves() const { return entities_.has_curves(); }
+
+  Structure read() {
     bool ended = false;
     while (!ended && records_.next(record_)) {
       ended = record_.type == "EOF";
@@ -204,7 +208,12 @@ Structure read_dxf(std::string_view text, const std::string& file_name,
                    const ReadOptions& options) {
   std::string converted;
   if (dxf::is_binary(text)) text = converted = dxf::text_of_binary(text, file_name);
-  Structure structure = dxf::DxfReader(text, file_name, options).read();
+  const auto read = [&](const ReadOptions& how, const Rational& least_tolerance) {
+    dxf::DxfReader reader(text, file_name, how, least_tolerance);
+    Structure drawing = reader.read();
+    return Reading{std::move(drawing), reader.has_curves()};
+  };
+  Structure structure = read_within_tolerance(options, read);
   structure.angle_bound = options.angle_bound;
   return structure;
 }

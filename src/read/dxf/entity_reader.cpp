@@ -23,13 +23,14 @@ constexpr std::string_view kSequenceEnd = "SEQEND";
 }  // namespace
 
 EntityReader::EntityReader(Drawing& drawing, const Names& names, Layers& layers,
-                           MlineStyles& styles, Numbers& numbers, const ReadOptions& options)
+                           MlineStyles& styles, Numbers& numbers, const ReadOptions& options,
+                           const Rational& least_tolerance)
     : drawing_(drawing),
       names_(names),
       layers_(layers),
       styles_(styles),
       numbers_(numbers),
-      pen_(options) {}
+      pen_(options, least_tolerance) {}
 
 Source EntityReader::source(const Record& record) const {
   const auto handle = std::find_if(record.groups.begin(), record.groups.end(),

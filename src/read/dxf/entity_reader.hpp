@@ -18,8 +18,9 @@ class EntityReader {
  public:
   /// Requires: the first five outlive the reader. Throws: Error BadInput for bad options.
   EntityReader(Drawing& drawing, const Names& names, Layers& layers, MlineStyles& styles,
-               Numbers& numbers, const ReadOptions& options);
+               Numbers& numbers, const ReadOptions& options, const Rational& least_tolerance);
 
+  bool has_curves() const { return pen_.has_curves(); }
   /// Takes the next entity of a space.
   void visit(const Record& record, std::size_t space);
   /// Draws a POLYLINE that waits for more vertices. To be called at the end of each space.

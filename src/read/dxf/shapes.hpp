@@ -10,12 +10,14 @@ namespace plumbline::dxf {
 class Pen {
  public:
   /// Throws: Error BadInput for a negative tolerance.
-  explicit Pen(const ReadOptions& options)
+  Pen(const ReadOptions& options, const Rational& least_tolerance)
       : angle_bound(options.angle_bound),
         draws_hidden(options.hidden),
         draws_hatches(options.hatches),
         join_curves(options.join_curves),
-        flattener_(options) {}
+        flattener_(options, least_tolerance) {}
+
+  bool has_curves() const { return flattener_.has_curves(); }
 
   const double angle_bound;
   const bool draws_hidden;

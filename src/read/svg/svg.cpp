@@ -9,6 +9,7 @@
 #include "geometry/rejected.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/read.hpp"
+#include "read/drawing_tolerance.hpp"
 #include "read/svg/element.hpp"
 #include "read/svg/index.hpp"
 #include "read/svg/names.hpp"
@@ -35,11 +36,12 @@ std::string_view attribute(const pugi::xml_node& element, const char* name) {
 
 class SvgReader {
  public:
-  SvgReader(std::string_view text, const std::string& file_name, const ReadOptions& options)
+  SvgReader(std::string_view text, const std::string& file_name, const ReadOptions& options,
+            const Rational& least_tolerance)
       : document_(text, file_name),
         index_(document_.root()),
         numbers_(options.shortest_decimals),
-        flattener_(options),
+        flattener_(options, least_tolerance),
         options_(options),
         selection_(options) {
     structure_.files = {file_name};
@@ -47,7 +49,9 @@ class SvgReader {
     structure_.root = StructId(0);
   }
 
-  Structure read() && {
+  bool has_curves() const { return flattener_.has_curves(); }
+
+  Structure read() {
     const pugi::xml_node root = document_.root();
     if (local_name(root) != "svg" || !index_.is_svg(root)) {
       throw Error(ErrorCode::BadInput, "the root element is not svg", document_.place(root),
@@ -390,7 +394,12 @@ class SvgReader {
 
 Structure read_svg(std::string_view text, const std::string& file_name,
                    const ReadOptions& options) {
-  return SvgReader(text, file_name, options).read();
+  const auto read = [&](const ReadOptions& how, const Rational& least_tolerance) {
+    SvgReader reader(text, file_name, how, least_tolerance);
+    Structure structure = reader.read();
+    return Reading{std::move(structure), reader.has_curves()};
+  };
+  return read_within_tolerance(options, read);
 }
 
 }  // namespace plumbline
