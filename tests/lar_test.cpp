@@ -241,6 +241,25 @@ TEST_CASE("a coordinate beyond the largest double is bad input, by name") {
   CHECK_THROWS_WITH(lar::arrange(set), Catch::Contains("point 0"));
 }
 
+TEST_CASE("the default radius is at most a quarter of the shortest segment, as drawn") {
+  // Squares of side 1 in two places far apart.
+  const std::string near = "0 0 1 0  1 0 1 1  1 1 0 1  0 1 0 0  ";
+  const std::string text =
+      near + "90000 0 90001 0  90001 0 90001 1  90001 1 90000 1  90000 1 90000 0";
+  const lar::Result result = run(text);
+  CHECK(result.trace.radius == 0.25);
+  CHECK(result.trace.radius_from_segment);
+  CHECK(summary(result.complex) == summary(arrange(segments(text))));
+  CHECK(counts(text, 90.001) == "V 0 E 0 F 1 C 0");
+  CHECK_FALSE(run(near).trace.radius_from_segment);
+  CHECK_FALSE(run(text, 0.25).trace.radius_from_segment);
+}
+
+TEST_CASE("the default radius is that of the drawing without what is stray") {
+  const std::string house = "0 0 9 0  9 0 9 9  9 9 0 9  0 9 0 0  3 0 3 9  6 0 6 9  ";
+  CHECK(run(house + "90000 0 90001 0").trace.radius == run(house).trace.radius);
+}
+
 TEST_CASE("a radius that is negative or not finite is bad input") {
   for (const double radius : {-1.0, -1e-300, std::numeric_limits<double>::infinity(),
                               std::numeric_limits<double>::quiet_NaN()}) {
@@ -361,8 +380,8 @@ TEST_CASE("a very long path needs no stack, and near duplicates and outliers no 
   }
   CHECK(summary(lar::arrange(segment_set(ends), {0.1}).complex) ==
         "V 200001 E 200000 F 1 C 1 antennas 200000");
-  // The default radius takes in hundreds of vertices: all merge into one.
-  CHECK(summary(lar::arrange(segment_set(ends)).complex) == "V 0 E 0 F 1 C 0");
+  // This radius takes in hundreds of vertices: all merge into one.
+  CHECK(summary(lar::arrange(segment_set(ends), {200}).complex) == "V 0 E 0 F 1 C 0");
 
   ends.assign(1000, {{0, 0}, {1, 0}});
   for (int i = 0; i < 1000; ++i) ends.push_back({{0.5, 1}, {0.5, -1 - 1e-9 * i}});

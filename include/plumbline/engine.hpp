@@ -135,7 +135,8 @@ struct Answer {
   Compared compared = Compared::All;
   /// Vertices nearer than this are one to the engine; none: it merges nothing. In drawing units.
   std::optional<double> radius = {};
-  /// Where the radius comes from: "number", or the name of a preset (`preset_radius`).
+  /// Where the radius comes from: "number", the name of a preset (`preset_radius`), or "segment":
+  /// chosen by the engine, a quarter of the shortest segment.
   std::string radius_from = {};
   std::vector<Rejected> dropped = {};    ///< what it left out, of a file `title`
   std::vector<Remark> remarks = {};      ///< on what it did not leave out; of the same file

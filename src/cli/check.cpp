@@ -55,7 +55,8 @@ Answer answer_for(const CheckArguments& arguments, const Engine& engine, const D
       answer_of(arguments.with_svg2lines ? inters_with_svg2lines(drawing)
                                          : engine_for(engine, drawing, asked.parameters),
                 drawing.input, asked.parameters, arguments.threads);
-  if (answer.radius) answer.radius_from = asked.radius_from;
+  const bool has_reason = asked.radius_from == "drawing" && !answer.radius_from.empty();
+  if (answer.radius && !has_reason) answer.radius_from = asked.radius_from;
   return answer;
 }
 

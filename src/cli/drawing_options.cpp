@@ -90,9 +90,9 @@ void add_comparison(CLI::App& command, CheckArguments& arguments) {
           "--radius", arguments.radius,
           "The engine merges vertices no further apart than this: a number in drawing units; "
           "larlib, its 0.001 on the unit square, so x the drawing's longer side; plasm, 1e-8 as "
-          "Plasm.jl has it; drawing, the default [default: 0.001 x the drawing's longer side; at "
-          "least 2^-46 x its largest coordinate; "
-          "of inters 0.001]")
+          "Plasm.jl has it; drawing, the default [default: 0.001 x the drawing's longer side, "
+          "at most a quarter of its shortest segment; at least 2^-46 x its largest coordinate; of "
+          "inters 0.001]")
       ->check(radius())
       ->type_name("R");
   CLI::Option* against =

@@ -106,7 +106,7 @@ export interface Report {
   float_valid: boolean;
   exact: boolean;
   radius: number | null;
-  radius_from: "larlib" | "plasm" | "drawing" | "number" | null;
+  radius_from: "larlib" | "plasm" | "drawing" | "segment" | "number" | null;
   tolerance: number;
   largest_displacement: number;
   counts: Record<ComplexName | "exact", Counts>;

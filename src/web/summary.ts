@@ -17,7 +17,8 @@ const rows: [CountName, string][] = [
 ];
 
 const originOfRadius = {
-  larlib: " (larlib: 0.001 on the unit square)", plasm: " (plasm: 1e-8)", drawing: " (the engine's default)", number: "",
+  larlib: " (larlib: 0.001 on the unit square)", plasm: " (plasm: 1e-8)", drawing: " (the engine's default)",
+  segment: " (a quarter of the shortest segment)", number: "",
 };
 
 export function showHead(

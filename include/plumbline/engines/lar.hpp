@@ -17,6 +17,9 @@ namespace plumbline::lar {
 
 /// The publication's radius of 0.001 on a drawing scaled to the unit square.
 inline constexpr double kDefaultRelativeRadius = 0.001;
+/// A default radius is no longer than this part of the shortest segment: what is drawn, chords of
+/// curves too, is not swallowed.
+inline constexpr double kMostOfSegment = 0.25;
 /// Least radius in units of the drawing's largest coordinate: 128 roundings. Below it, two floats
 /// that stand for the same point could stay apart.
 inline constexpr double kLeastRelativeRadius = 0x1p-46;
@@ -27,8 +30,8 @@ inline constexpr std::size_t kMaxRounds = 30;
 struct Options {
   /// Vertices no further apart than this are merged (transitively), and an edge that passes a
   /// vertex no further than this is led through it. In drawing units; by default
-  /// kDefaultRelativeRadius times the longer side of the drawing's box; raised to
-  /// kLeastRelativeRadius where it is less.
+  /// kDefaultRelativeRadius times the longer side of the drawing's `extent`, but no more than
+  /// kMostOfSegment times its shortest segment; raised to kLeastRelativeRadius where it is less.
   std::optional<double> radius;
   /// At most so many (and 1024); 0: as many as there are cores. Does not change the result.
   std::size_t threads = 0;
@@ -87,6 +90,8 @@ struct Round {
 /// The output of every stage.
 struct Trace {
   double radius = 0;  ///< in drawing units
+  /// Whether that is kMostOfSegment times the shortest segment, since nobody chose.
+  bool radius_from_segment = false;
   /// The coordinates of all stages are the drawing's divided by 2^exponent; 0 unless the largest is
   /// beyond 2^+-100.
   int exponent = 0;

@@ -19,6 +19,7 @@ namespace plumbline::lar {
 struct Drawing {
   Graph graph;
   double radius = 0;  ///< as scaled as the graph
+  bool radius_from_segment = false;
   int exponent = 0;   ///< the scale is 2^-exponent
 };
 

@@ -53,6 +53,7 @@ std::string radius_text(const Answer& answer) {
   const std::string& from = answer.radius_from;
   if (from == "larlib") return radius + " (larlib: 0.001 on the unit square)";
   if (from == "plasm") return radius + " (plasm: 1e-8)";
+  if (from == "segment") return radius + " (a quarter of the shortest segment)";
   return from == "drawing" ? radius + " (the engine's default)" : radius;
 }
 

@@ -1788,34 +1788,34 @@ face"&&cell2>0&&complex.cyclesOf(cell2).forEach(byHalfedges)}function connectPri
 addEventListener("afterprint",()=>prepare(!1)),print.addEventListener("change",()=>prepare(print.matches)),matchMedia("(\
 prefers-color-scheme: dark)").addEventListener("change",()=>prepare(print.matches))}var rows=[["vertices","vertices"],["edges","edges"],["faces","faces"],["holes","holes"],["depth","nesting depth"],["comp\
 onents","components"],["antennas","antennas"],["isolated_vertices","isolated vertices"]],originOfRadius={larlib:" (larli\
-b: 0.001 on the unit square)",plasm:" (plasm: 1e-8)",drawing:" (the engine's default)",number:""};function showHead(report,title,verdict,facts,advice){
-title.textContent=report.files.join(", ")||"drawing";let agrees=report.verdict==="agree",groups=report.findings.length>1?
-` in ${plural(report.groups.length,"group")}`:"",findings=plural(report.findings.length,"finding")+groups,own=report.drift.
-findings;agrees?verdict.textContent="Agree":own===report.findings.length?verdict.textContent=`Agree but for the file's o\
-wn drift: ${findings}`:verdict.textContent=`Disagree: ${findings}${own>0?`, ${own} of them the file's own drift`:""}`,report.
-lost>0&&(verdict.textContent+=`; not all was read: ${report.lost} rejected look like geometry`),verdict.className=agrees&&
-report.lost===0?"agree":"disagree";let parts=[answerTitle(report)];report.compared==="graph"&&parts.push("vertices and e\
-dges alone are compared: the result has no faces"),report.compared==="faces"&&report.left_out.edges>0&&parts.push(`the r\
-esult has polygons alone: ${plural(report.left_out.edges,"edge")} with the same face on both sides not compared`),report.
-compared==="some faces"&&parts.push("each face of the result is compared, and nothing else"),report.radius!==null&&parts.
-push(`radius ${number(report.radius)}${originOfRadius[report.radius_from??"number"]}`),report.tolerance!==report.radius&&
-parts.push(`tolerance ${number(report.tolerance)}`),facts.textContent=parts.join(" \xB7 "),advice.textContent=radiusAdvice(
-report)}function radiusAdvice(report){let sentences=[];report.crowded_vertices>0&&sentences.push(`The radius is larger t\
-han details of the drawing: ${count(report.crowded_vertices)} of its ${count(report.counts.exact.vertices)} vertices are\
- nearer to another one.`);let[least,largest]=report.right_radii??[];return least!==void 0&&largest!==void 0?sentences.push(
-`Right is --radius ${report.advised_radius??largest}, and all that were tried from ${number(least)} to ${number(largest)}\
-.`):report.tried_radii.length>0&&sentences.push("No radius that was tried is right."),sentences.join(" ")}var namesOfGraph=[
-"vertices","edges","components"],countsOf=(report,name)=>report.counts[name==="authored"?"exact":name];function totalArea(drawing,name){
-return drawing.complexes[name].area.reduce((sum,area2)=>sum+area2,0)}function showAnswers(drawing,table2){let{report}=drawing,
-head=element("tr",{},element("td"));for(let name of complexNames)head.append(element("th",{scope:"col"},element("span",{
-class:`swatch ${name}`}),complexTitle[name]));let body=element("tbody"),addRow=(title,texts,isOfGraph=!1)=>{report.compared===
-"graph"&&!isOfGraph&&(texts[texts.length-1]="\u2013");let row2=element("tr",{},element("th",{scope:"row"},title));texts.
-forEach((text,i)=>row2.append(element("td",{class:i>0&&text!==texts[0]?"differs":""},text))),body.append(row2)};for(let[
-name,title]of rows){let values=complexNames.map(complex=>countsOf(report,complex)[name]);name==="isolated_vertices"&&values.
-every(value2=>value2===0)||addRow(title,values.map(count),namesOfGraph.includes(name))}addRow("area of all faces",complexNames.
-map(name=>number(totalArea(drawing,name),7)));let conversionValid=report.conversion.every(finding=>finding.disagreement!==
-"invalid");addRow("valid complex",["yes",conversionValid?"yes":"no",report.float_valid?"yes":"no"],!0),table2.append(element(
-"thead",{},head),body)}var margin=.06,mostZoom=1e13,leastZoom=.1,keyStep=.15,keyZoom=1.5,flight=650,View=class{constructor(stage,content){this.
+b: 0.001 on the unit square)",plasm:" (plasm: 1e-8)",drawing:" (the engine's default)",segment:" (a quarter of the short\
+est segment)",number:""};function showHead(report,title,verdict,facts,advice){title.textContent=report.files.join(", ")||
+"drawing";let agrees=report.verdict==="agree",groups=report.findings.length>1?` in ${plural(report.groups.length,"group")}`:
+"",findings=plural(report.findings.length,"finding")+groups,own=report.drift.findings;agrees?verdict.textContent="Agree":
+own===report.findings.length?verdict.textContent=`Agree but for the file's own drift: ${findings}`:verdict.textContent=`\
+Disagree: ${findings}${own>0?`, ${own} of them the file's own drift`:""}`,report.lost>0&&(verdict.textContent+=`; not al\
+l was read: ${report.lost} rejected look like geometry`),verdict.className=agrees&&report.lost===0?"agree":"disagree";let parts=[
+answerTitle(report)];report.compared==="graph"&&parts.push("vertices and edges alone are compared: the result has no fac\
+es"),report.compared==="faces"&&report.left_out.edges>0&&parts.push(`the result has polygons alone: ${plural(report.left_out.
+edges,"edge")} with the same face on both sides not compared`),report.compared==="some faces"&&parts.push("each face of \
+the result is compared, and nothing else"),report.radius!==null&&parts.push(`radius ${number(report.radius)}${originOfRadius[report.
+radius_from??"number"]}`),report.tolerance!==report.radius&&parts.push(`tolerance ${number(report.tolerance)}`),facts.textContent=
+parts.join(" \xB7 "),advice.textContent=radiusAdvice(report)}function radiusAdvice(report){let sentences=[];report.crowded_vertices>
+0&&sentences.push(`The radius is larger than details of the drawing: ${count(report.crowded_vertices)} of its ${count(report.
+counts.exact.vertices)} vertices are nearer to another one.`);let[least,largest]=report.right_radii??[];return least!==void 0&&
+largest!==void 0?sentences.push(`Right is --radius ${report.advised_radius??largest}, and all that were tried from ${number(
+least)} to ${number(largest)}.`):report.tried_radii.length>0&&sentences.push("No radius that was tried is right."),sentences.
+join(" ")}var namesOfGraph=["vertices","edges","components"],countsOf=(report,name)=>report.counts[name==="authored"?"ex\
+act":name];function totalArea(drawing,name){return drawing.complexes[name].area.reduce((sum,area2)=>sum+area2,0)}function showAnswers(drawing,table2){
+let{report}=drawing,head=element("tr",{},element("td"));for(let name of complexNames)head.append(element("th",{scope:"co\
+l"},element("span",{class:`swatch ${name}`}),complexTitle[name]));let body=element("tbody"),addRow=(title,texts,isOfGraph=!1)=>{
+report.compared==="graph"&&!isOfGraph&&(texts[texts.length-1]="\u2013");let row2=element("tr",{},element("th",{scope:"ro\
+w"},title));texts.forEach((text,i)=>row2.append(element("td",{class:i>0&&text!==texts[0]?"differs":""},text))),body.append(
+row2)};for(let[name,title]of rows){let values=complexNames.map(complex=>countsOf(report,complex)[name]);name==="isolated\
+_vertices"&&values.every(value2=>value2===0)||addRow(title,values.map(count),namesOfGraph.includes(name))}addRow("area o\
+f all faces",complexNames.map(name=>number(totalArea(drawing,name),7)));let conversionValid=report.conversion.every(finding=>finding.
+disagreement!=="invalid");addRow("valid complex",["yes",conversionValid?"yes":"no",report.float_valid?"yes":"no"],!0),table2.
+append(element("thead",{},head),body)}var margin=.06,mostZoom=1e13,leastZoom=.1,keyStep=.15,keyZoom=1.5,flight=650,View=class{constructor(stage,content){this.
 stage=stage;this.content=content;this.listeners=[];this.still=matchMedia("(prefers-reduced-motion: reduce)");this.width=
 1;this.height=1;this.transform=identity4;this.selection=select(stage),this.behavior=zoom2().on("zoom",event=>this.moveTo(
 event.transform,!0)).on("end",event=>this.moveTo(event.transform,!1)),this.selection.call(this.behavior).on("dblclick.zo\

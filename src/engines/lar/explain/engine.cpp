@@ -20,6 +20,7 @@ Answer run(const SegmentSet& input, const Parameters& parameters, std::size_t th
   Answer answer;
   answer.complex = std::move(result.complex);
   answer.radius = result.trace.radius;
+  if (result.trace.radius_from_segment) answer.radius_from = "segment";
   answer.parameters = {{kRadius, result.trace.radius}};
   for (const Stage stage : {Stage::Transform, Stage::Intersect, Stage::Prune, Stage::EdgeOrder,
                             Stage::FaceWalk, Stage::OuterFace, Stage::Nesting}) {
@@ -43,7 +44,8 @@ Engine engine() {
       "float LAR",
       {{kRadius, Parameter::Type::Number,
         "vertices no further apart than this are merged, in drawing units [default: 0.001 x the "
-        "drawing's longer side; at least 2^-46 x its largest coordinate]"}},
+        "drawing's longer side, at most a quarter of its shortest segment; at least 2^-46 x its "
+        "largest coordinate]"}},
       run};
 }
 

@@ -39,6 +39,7 @@ Result arrange_here(const SegmentSet& input, const Options& options) {
   Result result;
   Trace& trace = result.trace;
   trace.radius = std::ldexp(drawing.radius, drawing.exponent);
+  trace.radius_from_segment = drawing.radius_from_segment;
   trace.exponent = drawing.exponent;
   trace.drawing = std::move(drawing.graph);
   // Merging moves vertices, so edges may cross or pass near vertices again: until nothing does.

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "engines/lar/stages/points.hpp"
 #include "geometry/point_d.hpp"
 #include "plumbline/engines/lar_stages.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/geometry/extent.hpp"
 
 namespace plumbline::lar {
 namespace {
@@ -44,17 +46,28 @@ PointD scaled(const PointD& p, int exponent) {
   return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
 }
 
-double longer_side(std::span<const PointD> points) {
-  return points.empty() ? 0 : box_of(points).longer_side();
-}
-
 /// The wanted radius, not less than rounding and not more than what merges everything.
-double radius_for(std::span<const PointD> vertices, const Options& options, int exponent) {
-  const double wanted = options.radius ? std::ldexp(*options.radius, -exponent)
-                                       : kDefaultRelativeRadius * longer_side(vertices);
+void choose_radius(Drawing& drawing, const Options& options) {
+  const std::vector<PointD>& vertices = drawing.graph.vertices;
   const double largest = largest_coordinate(vertices);
-  if (largest == 0) return 1;  // one vertex at most: any radius does
-  return std::clamp(wanted, kLeastRelativeRadius * largest, 4 * largest);
+  double wanted = 0;
+  if (options.radius) {
+    wanted = std::ldexp(*options.radius, -drawing.exponent);
+  } else {
+    std::vector<SegmentD> segments;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& [v, w] : drawing.graph.edges) {
+      segments.push_back({vertices[v], vertices[w]});
+      if (v != w) shortest = std::min(shortest, distance(vertices[v], vertices[w]));
+    }
+    wanted = kDefaultRelativeRadius * extent(segments).longer_side();
+    const double most = std::max(kMostOfSegment * shortest, kLeastRelativeRadius * largest);
+    drawing.radius_from_segment = most < wanted;
+    wanted = std::min(wanted, most);
+  }
+  // One vertex at most: any radius does.
+  drawing.radius =
+      largest == 0 ? 1 : std::clamp(wanted, kLeastRelativeRadius * largest, 4 * largest);
 }
 
 void append_distinct(Graph& graph, std::span<const SourcedSegment> sorted) {
@@ -112,7 +125,7 @@ Drawing to_doubles(const SegmentSet& input, const Options& options) {
     drawing.graph.edges.push_back({v, v});
     drawing.graph.edge_sources.push_back(std::vector<SegmentId>{});
   }
-  drawing.radius = radius_for(drawing.graph.vertices, options, drawing.exponent);
+  choose_radius(drawing, options);
   return drawing;
 }
 
