@@ -2,6 +2,7 @@
 
 #include <rapidjson/document.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -203,13 +204,43 @@ TEST_CASE("a picture of a drawing whose y runs upwards is turned, that of its se
   plumbline::SegmentSet input;
   input.add_file("a.dxf");
   const auto source = input.add_source({});
-  input.add(plumbline::PointD{0, 0}, plumbline::PointD{4, 3}, source);
-  CHECK_THAT(to_svg(input), Catch::Contains("M0 0L4 3"));
+  input.add(plumbline::PointD{0, 0}, plumbline::PointD{800, 600}, source);
+  CHECK_THAT(to_svg(input), Catch::Contains("M0 0L800 600"));
   const auto complex = plumbline::arrange(input);
-  CHECK_THAT(to_svg(complex), Catch::Contains("M0 0L4 3"));
+  CHECK_THAT(to_svg(complex), Catch::Contains("M0 0L800 600"));
   input.y_up = true;
-  CHECK_THAT(to_svg(input), Catch::Contains("M0 0L4 -3"));
-  CHECK_THAT(to_svg(complex, input.y_up), Catch::Contains("M0 0L4 -3"));
+  CHECK_THAT(to_svg(input), Catch::Contains("M0 0L800 -600"));
+  CHECK_THAT(to_svg(complex, input.y_up), Catch::Contains("M0 0L800 -600"));
+}
+
+TEST_CASE("pictures of any place and size are read back as the same doubles, without the legend") {
+  const auto ends = [](const plumbline::SegmentSet& set) {
+    std::vector<std::pair<plumbline::PointD, plumbline::PointD>> result;
+    for (const plumbline::Segment& s : set.segments) {
+      const plumbline::PointD a = nearest(s.a), b = nearest(s.b);
+      result.emplace_back(std::min(a, b), std::max(a, b));
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const auto read_back = [](const std::string& svg) {
+    return evaluate(plumbline::read_svg(svg, "a.svg"));
+  };
+  for (const double size : {1e-9, 0.003, 0.7, 900.0, 3e7}) {
+    for (const double place : {0.0, 8.950123, 377421.47000000003, -5705568.59}) {
+      plumbline::SegmentSet input;
+      const auto source = input.add_source({});
+      const plumbline::PointD low{place, 46.1 - place}, high{place + size, 46.1 - place + size / 3};
+      if (low.x == high.x || low.y == high.y) continue;
+      input.add(low, {high.x, low.y}, source);
+      input.add({high.x, low.y}, high, source);
+      input.add(high, low, source);
+      CHECK(ends(read_back(to_svg(input))) == ends(input));
+      const plumbline::SegmentSet again = read_back(to_svg(plumbline::arrange(input)));
+      CHECK(again.labels.empty());
+      CHECK(again.segments.size() == 6);  // the face and its edges
+    }
+  }
 }
 
 TEST_CASE("random segments as rows are read back as the same doubles") {

@@ -8,6 +8,7 @@
 #include "plumbline/detail/lists.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/geometry.hpp"
+#include "plumbline/geometry/extent.hpp"
 #include "plumbline/geometry/point_list.hpp"
 
 namespace plumbline {
@@ -85,6 +86,10 @@ struct CellComplex : Incidences {
 
 using ExactComplex = CellComplex<PointList>;
 using FloatComplex = CellComplex<std::vector<PointD>>;
+
+/// The extent of its edges and isolated vertices, in this order.
+Extent extent(const ExactComplex& complex);
+Extent extent(const FloatComplex& complex);
 
 /// The same complex in canonical order, with the derived members filled in: vertices by (x, y);
 /// edges by (tail, head), tail first; cycles start at their least halfedge and are sorted by it;

@@ -86,10 +86,11 @@ struct Range {
 
 /// How to diagnose.
 struct DiagnoseOptions {
-  /// The search distance; by default the drawing's longer side / 1000. Requires: not negative.
+  /// The search distance; by default the longer side of the drawing's `extent` / 1000. Requires:
+  /// not negative.
   std::optional<Rational> within = std::nullopt;
   std::size_t most_listed = 1000;  ///< of each kind
-  /// How wide doors are; by default from the drawing's longer side / 100 to / 10.
+  /// How wide doors are; by default from the longer side of the `extent` / 100 to / 10.
   std::optional<Range> doors = std::nullopt;
 };
 

@@ -81,6 +81,10 @@ std::string to_dxf(const Features& features);
 /// triangles in a group `face_F`. What is written is the rounded complex; the note is a comment.
 std::string to_obj(const Rounding& rounding);
 
+/// What is stray, for people: "1 element lies 4,000 drawing sizes away: layer X,
+/// plan.dxf:312 LINE 2F"; of several the first one is named. "" where nothing is.
+std::string stray_text(const SegmentSet& input);
+
 /// The segments as an SVG picture of lines, in the same way.
 std::string to_svg(const SegmentSet& input);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plumbline/error.hpp"
+#include "plumbline/output.hpp"
 
 namespace plumbline::cli {
 
@@ -77,7 +78,9 @@ std::vector<LayerCount> layers_of(const SegmentSet& input) {
 }
 
 std::string rejected_lines(const SegmentSet& input) {
-  std::string text = group_lines(input.rejected, &Rejected::reason, "");
+  const std::string stray = stray_text(input);
+  std::string text = stray.empty() ? stray : "  " + stray + "\n";
+  text += group_lines(input.rejected, &Rejected::reason, "");
   return text + group_lines(input.remarks, &Remark::what, "remark: ");
 }
 

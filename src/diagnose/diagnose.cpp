@@ -21,8 +21,11 @@ constexpr int kDefaultPart = 1000;
 /// Doors are from the longer side / kMostDoors to / kLeastDoors wide.
 constexpr int kMostDoors = 100, kLeastDoors = 10;
 
+/// Of the drawing, without what is stray; exact where nothing is.
 Rational longer_side(const ExactComplex& complex) {
   if (complex.vertices.empty()) return 0;
+  const Extent without_stray = extent(complex);
+  if (!without_stray.stray.empty()) return rational_from(without_stray.longer_side());
   Rational low = complex.vertices.front().y, high = low;
   for (const Point& p : complex.vertices) {
     low = std::min(low, p.y);

@@ -34,17 +34,6 @@ std::vector<std::vector<SegmentD>> sides_of_faces(const ExactComplex& complex) {
   return result;
 }
 
-double longer_side(const ExactComplex& complex) {
-  if (complex.vertices.empty()) return 0;
-  PointD low = complex.vertices.nearest(0), high = low;
-  for (std::size_t v = 1; v < complex.vertices.size(); ++v) {
-    const PointD p = complex.vertices.nearest(v);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::max(high.x - low.x, high.y - low.y);
-}
-
 /// Three significant digits, exactly.
 Rational three_digits(double value) {
   if (!(value > 0)) return 0;
@@ -121,7 +110,7 @@ void choose_limits(Rooms& result, const RoomOptions& options, const std::vector<
 
 Rooms wide_faces(const SegmentSet& input, const ExactComplex& complex, const RoomOptions& options) {
   Rooms result;
-  const double extent = longer_side(complex);
+  const double extent = plumbline::extent(complex).longer_side();
   result.unit = options.unit ? options.unit : input.unit;
   if (!options.unit && result.unit && extent * nearest_double(result.unit->metres) < kTiny) {
     result.doubted = std::exchange(result.unit, {});

@@ -26,8 +26,8 @@ struct Layout {
 Layout layout(const FloatComplex& exact_rounded, const FloatComplex& float_complex) {
   const bool has_exact = !exact_rounded.vertices.empty();
   const bool has_float = !float_complex.vertices.empty();
-  svg::Box content = svg::bounds((has_exact ? exact_rounded : float_complex).vertices);
-  if (has_exact && has_float) content = svg::hull(content, svg::bounds(float_complex.vertices));
+  svg::Box content = svg::bounds(extent(has_exact ? exact_rounded : float_complex));
+  if (has_exact && has_float) content = svg::hull(content, svg::bounds(extent(float_complex)));
   content = sheet::content(content);
   const double height = sheet::panel_height(content);
   const auto panel_at = [&](double x) {

@@ -46,7 +46,7 @@ struct Base {
 
 Base base_of(const ExactComplex& exact_complex, bool y_up) {
   FloatComplex complex = nearest(exact_complex);
-  const svg::Box content = sheet::content(svg::bounds(complex.vertices));
+  const svg::Box content = sheet::content(svg::bounds(extent(complex)));
   const svg::Box panel{{0, 0}, {sheet::kPanelWidth, sheet::panel_height(content)}};
   const svg::Frame frame = sheet::frame(content, panel, y_up);
   const double pen = sheet::pen(panel, complex.edge_count());

@@ -34,6 +34,11 @@ Box bounds(std::span<const PointD> points) {
   return {{box.low.x - 0.5, box.low.y - 0.5}, {box.high.x + 0.5, box.high.y + 0.5}};
 }
 
+Box bounds(const Extent& extent) {
+  const std::array corners{extent.low, extent.high};
+  return bounds(corners);
+}
+
 Box widened(const Box& box, double fraction) {
   const double margin = fraction * std::max(box.width(), box.height());
   return {{box.low.x - margin, box.low.y - margin}, {box.high.x + margin, box.high.y + margin}};

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "plumbline/geometry.hpp"
+#include "plumbline/geometry/extent.hpp"
 
 namespace plumbline::svg {
 
@@ -31,6 +31,8 @@ Box hull(const Box& a, const Box& b);
 /// The box of the points. Degenerate: no point gives the unit square; a box of no extent (or below
 /// 1e-290) is widened to one.
 Box bounds(std::span<const PointD> points);
+/// The box of what is not stray, with the same exceptions.
+Box bounds(const Extent& extent);
 /// The box, wider on each side by `fraction` of its longer side.
 Box widened(const Box& box, double fraction);
 
@@ -50,6 +52,9 @@ struct Frame {
 
 /// The frame that shows `content` as large as possible in the middle of `panel`.
 Frame fit(const Box& content, const Box& panel, bool y_up = false);
+
+/// Paths are ended where they are longer, in bytes: viewers refuse or stall at many MB.
+inline constexpr std::size_t kLargestPath = 500'000;
 
 /// "x y" with the shortest decimals that read back as the same doubles.
 std::string coordinates(const PointD& p);

@@ -44,18 +44,25 @@ void append_line(std::string& path, const FloatComplex& complex, EdgeId e, const
                       coordinates(frame(complex.vertices[edge.head])));
 }
 
-void append_edges(std::string& svg, const FloatComplex& complex, const Frame& frame, double pen) {
-  std::string solid, dashed;
-  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
-    append_line(complex.is_antenna(EdgeId(e)) ? dashed : solid, complex, EdgeId(e), frame);
-  }
+void append_edges(std::string& svg, const FloatComplex& complex, const Frame& frame, double pen,
+                  const std::string& more) {
   const std::string style =
-      fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"", kInk,
-                  shortest_text(pen));
-  if (!solid.empty()) svg += fmt::format("<path {} d=\"{}\"/>\n", style, solid);
-  if (!dashed.empty()) {
-    svg += fmt::format("<path {} stroke-dasharray=\"{}\" d=\"{}\"/>\n", style,
-                       shortest_text(kDashPens * pen), dashed);
+      fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"{}",
+                  kInk, shortest_text(pen), more);
+  const std::string dashes =
+      fmt::format(" stroke-dasharray=\"{}\"", shortest_text(kDashPens * pen));
+  for (const bool dashed : {false, true}) {
+    std::string path;
+    const auto draw = [&] {
+      if (path.empty()) return;
+      svg += fmt::format("<path {}{} d=\"{}\"/>\n", style, dashed ? dashes : "", path);
+      path.clear();
+    };
+    for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+      if (complex.is_antenna(EdgeId(e)) == dashed) append_line(path, complex, EdgeId(e), frame);
+      if (path.size() > kLargestPath) draw();
+    }
+    draw();
   }
 }
 
@@ -84,11 +91,12 @@ void append_marked_edges(std::string& svg, const FloatComplex& complex, const Fr
 
 }  // namespace
 
-std::string panel(const FloatComplex& complex, const Frame& frame, double pen, const Marks& marks) {
+std::string panel(const FloatComplex& complex, const Frame& frame, double pen, const Marks& marks,
+                  const std::string& of_lines) {
   std::string svg;
   append_faces(svg, complex, frame);
   append_marked_faces(svg, complex, frame, marks);
-  append_edges(svg, complex, frame, pen);
+  append_edges(svg, complex, frame, pen, of_lines);
   append_marked_edges(svg, complex, frame, pen, marks);
   for (std::size_t f = 0; f < complex.face_count(); ++f) {
     for (const VertexId v : complex.face_isolated_vertices[f]) {

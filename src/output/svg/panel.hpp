@@ -17,9 +17,10 @@ struct Marks {
 
 /// The complex as SVG elements: faces filled by depth (the unbounded face not; holes are cut out),
 /// edges as thin lines, antennas dashed, isolated vertices as dots, marked cells on top in the
-/// second colour. y runs downwards, as in the drawing. **Rounded**. Requires: `canonical` was
-/// called, finite coordinates; the complex need not be valid. Cost: O(V + E + F).
+/// second colour. `of_lines` are more attributes of the edges. No path of edges is longer than 1
+/// MB. y runs downwards, as in the drawing. **Rounded**. Requires: `canonical` was called, finite
+/// coordinates; the complex need not be valid. Cost: O(V + E + F).
 std::string panel(const FloatComplex& complex, const Frame& frame, double pen,
-                  const Marks& marks = {});
+                  const Marks& marks = {}, const std::string& of_lines = {});
 
 }  // namespace plumbline::svg

@@ -198,11 +198,7 @@ struct Plan {
 
 Plan placed(const SegmentSet& input, const ExactComplex& complex, double top) {
   constexpr double kLeast = 400, kGreatest = 1500, kMargin = 0.01;
-  std::vector<PointD> points;
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
-    points.push_back(complex.vertices.nearest(v));
-  }
-  const svg::Box content = svg::widened(svg::bounds(points), kMargin);
+  const svg::Box content = svg::widened(svg::bounds(extent(complex)), kMargin);
   const double height =
       std::clamp(kPlanWidth * content.height() / content.width(), kLeast, kGreatest);
   const svg::Box panel{{svg::sheet::kMargin, top},

@@ -17,8 +17,10 @@ std::string open(double width, double height) {
 }
 
 std::string titled(const SegmentSet& input, const std::string& words) {
-  if (input.files.empty()) return words;
-  return std::filesystem::path(input.files.front()).filename().string() + ": " + words;
+  const bool has_stray = !extent(input).stray.empty();
+  const std::string all = has_stray ? words + "; what lies far away is not shown" : words;
+  if (input.files.empty()) return all;
+  return std::filesystem::path(input.files.front()).filename().string() + ": " + all;
 }
 
 Box content(const Box& drawing) {

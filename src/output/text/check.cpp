@@ -125,6 +125,7 @@ void append_input(std::string& text, const SegmentSet& input) {
   text += fmt::format("input: {} segments, {} points; {} rejected{}\n", input.segments.size(),
                       input.points.size(), input.rejected.size(),
                       reasons_text(input.rejected, &Rejected::reason));
+  if (const std::string stray = stray_text(input); !stray.empty()) text += "       " + stray + "\n";
   if (input.remarks.empty()) return;
   text += fmt::format("       {} remarked on{}\n", input.remarks.size(),
                       reasons_text(input.remarks, &Remark::what));

@@ -8,7 +8,9 @@ bool SvgSelection::leaves_out(const pugi::xml_node& element, SvgKind kind, bool 
                               bool wanted, const std::string& path) {
   const bool draws = kind != SvgKind::Container;
   Unusable problem{{}, {}, true};
-  if (!draws_hidden_ && !is_displayed(element)) {
+  if (std::string_view(element.attribute("data-plumbline").value()) == "legend") {
+    problem.reason = "legend of a picture";
+  } else if (!draws_hidden_ && !is_displayed(element)) {
     problem = {"hidden", "display: none", true};
   } else if (is_named(element, &LayerChoice::leaves_out)) {
     problem.reason = "left out as asked";
