@@ -50,7 +50,9 @@ std::string to_json(const LarModel& model);
 std::string to_lar_json(const ExactComplex& complex);
 
 /// The complex as an SVG picture, in the drawing's own coordinates: faces filled by nesting depth,
-/// edges, antennas dashed; y negated where it runs upwards. **Rounded** to nearest doubles.
+/// edges, antennas dashed, a legend; y negated where it runs upwards. What is stray is out of
+/// sight. A drawing far from (0, 0) has local ones: a `desc`, and `data-plumbline-transform`, which
+/// `read_svg` applies, lead back. **Rounded** to nearest doubles.
 std::string to_svg(const ExactComplex& complex, bool y_up = false);
 
 // Features in doubles, as `safely_rounded` has proven them to be a valid partition: each number is

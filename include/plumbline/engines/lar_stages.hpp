@@ -20,7 +20,7 @@ struct Drawing {
   Graph graph;
   double radius = 0;  ///< as scaled as the graph
   bool radius_from_segment = false;
-  int exponent = 0;   ///< the scale is 2^-exponent
+  int exponent = 0;  ///< the scale is 2^-exponent
 };
 
 /// Every coordinate rounded to the nearest double; equal and reversed segments once, with all their

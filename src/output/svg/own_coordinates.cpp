@@ -12,6 +12,8 @@ constexpr double kAround = 0.02;                      // a part of the longer si
 constexpr double kLeastWide = 500, kMostWide = 2000;  // what needs no scale
 constexpr double kFarSizes = 16;                      // sizes from (0, 0)
 
+constexpr double kMostScale = 1e15;  // where a viewBox is in drawing units
+
 /// As a decimal, exactly.
 std::string exact_decimal(double value) { return exact_text(rational_from(value)); }
 
@@ -57,11 +59,17 @@ std::string open(const OwnCoordinates& picture, double foot) {
     transform = fmt::format("translate({} {})", exact_decimal(origin.x), exact_decimal(origin.y));
   }
   if (frame.scale != 1) transform += fmt::format("scale({})", exact_decimal(1 / frame.scale));
-  std::string svg = open_drawing({own(box.low), own(box.high)});
+  // Viewers hold a viewBox in floats of 24 bits.
+  const bool is_local =
+      origin.x != 0 || origin.y != 0 || frame.scale > kMostScale || frame.scale < 1 / kMostScale;
+  std::string svg = open_drawing(is_local ? box : Box{own(box.low), own(box.high)});
   if (!picture.about.empty()) svg += "<desc>" + picture.about + "</desc>\n";
   if (transform.empty()) return svg + "<g>\n";
-  return svg + fmt::format("<g data-origin=\"{} {}\" transform=\"{}\">\n",
-                           exact_decimal(frame.origin.x), exact_decimal(frame.origin.y), transform);
+  if (!is_local) return svg + "<g transform=\"" + transform + "\">\n";
+  return svg + fmt::format(
+                   "<desc>local coordinates; the drawing's own: {0}</desc>\n"
+                   "<g data-plumbline-transform=\"{0}\">\n",
+                   transform);
 }
 
 }  // namespace plumbline::svg

@@ -8,8 +8,9 @@ namespace plumbline::svg {
 
 /// A picture in the drawing's own coordinates: the numbers of its paths are relative to an origin
 /// near the drawing, where that is far from (0, 0), and times a power of two that makes the
-/// picture 500 to 2000 wide or high; the transform of a group undoes both, exactly. So viewers that
-/// compute with few digits, and lines some pixels wide, do.
+/// picture 500 to 2000 wide or high, for viewers that compute with few digits. A transform of a
+/// group undoes both, exactly: near (0, 0) one that viewers apply, else one that our reader does
+/// and a `desc` tells of.
 struct OwnCoordinates {
   Frame frame;        ///< for the numbers in the group
   Box box;            ///< of the drawing, as the numbers in the group have it

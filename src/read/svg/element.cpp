@@ -63,6 +63,11 @@ std::string_view local_name(const pugi::xml_node& element) {
   return name.substr(name.find(':') + 1);  // npos + 1 is 0
 }
 
+pugi::xml_attribute map_attribute(const pugi::xml_node& element) {
+  const pugi::xml_attribute of_picture = element.attribute("data-plumbline-transform");
+  return of_picture ? of_picture : element.attribute("transform");
+}
+
 bool holds_drawing(const pugi::xml_node& top) {
   for (auto node = top; node; node = next_below(top, node)) {
     if (is_drawn(node)) return true;

@@ -23,6 +23,8 @@ SvgKind svg_kind(std::string_view local_name);
 /// The name without its namespace prefix.
 std::string_view local_name(const pugi::xml_node& element);
 
+/// The element's transform; of a picture that this program drew at a local origin, the way back.
+pugi::xml_attribute map_attribute(const pugi::xml_node& element);
 /// Whether an element below `top`, or `top` itself, is by its name one that draws.
 bool holds_drawing(const pugi::xml_node& top);
 /// How many of them there are.

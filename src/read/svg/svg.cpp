@@ -49,9 +49,7 @@ class SvgReader {
     structure_.root = StructId(0);
   }
 
-  bool has_curves() const { return flattener_.has_curves(); }
-
-  Structure read() {
+  Reading read() && {
     const pugi::xml_node root = document_.root();
     if (local_name(root) != "svg" || !index_.is_svg(root)) {
       throw Error(ErrorCode::BadInput, "the root element is not svg", document_.place(root),
@@ -61,7 +59,7 @@ class SvgReader {
     list_layers();
     if (!options_.hidden && !is_displayed(root)) {
       reject(root, {"hidden", "display: none", true});
-      return std::move(structure_);
+      return {std::move(structure_), flattener_.has_curves()};
     }
     Frame frame = frame_of(root, structure_.root);
     frame.visible = own_visibility(root).value_or(true);
@@ -80,7 +78,7 @@ class SvgReader {
       reject(element, path, {"not drawn directly", {}, true});
     }
     numbers_.add_to(structure_.ledger);
-    return std::move(structure_);
+    return {std::move(structure_), flattener_.has_curves()};
   }
 
  private:
@@ -299,11 +297,11 @@ class SvgReader {
     if (holds_drawing(element)) undrawn_.add(element, path_.text());
   }
 
-  /// The map of the element's transform, if it has one.
   std::optional<SvgTransform> transform_of(const pugi::xml_node& element, std::string_view name) {
     check_placement(element, name);
-    if (!element.attribute("transform")) return std::nullopt;
-    return parse_transform(attribute(element, "transform"), numbers_, options_.angle_bound);
+    const pugi::xml_attribute map = map_attribute(element);
+    if (!map) return {};
+    return parse_transform(map.value(), numbers_, options_.angle_bound);
   }
 
   void append_maps(const pugi::xml_node& element, const SvgTransform& transform, Struct& to) {
@@ -394,12 +392,9 @@ class SvgReader {
 
 Structure read_svg(std::string_view text, const std::string& file_name,
                    const ReadOptions& options) {
-  const auto read = [&](const ReadOptions& how, const Rational& least_tolerance) {
-    SvgReader reader(text, file_name, how, least_tolerance);
-    Structure structure = reader.read();
-    return Reading{std::move(structure), reader.has_curves()};
-  };
-  return read_within_tolerance(options, read);
+  return read_within_tolerance(options, [&](const ReadOptions& how, const Rational& least) {
+    return SvgReader(text, file_name, how, least).read();
+  });
 }
 
 }  // namespace plumbline
