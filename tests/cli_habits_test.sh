@@ -160,9 +160,9 @@ flat=$examples/flat.dxf
 expect "rooms are a table" 0 '^3 rooms, 3 with a name, 81\.57 m2 in all.* 1 +24\.03 m2  Kitchen +2d 3d +DOORS, WALLS' "$plumbline" rooms "$flat" --walls WALLS,DOORS
 expect "furniture parts rooms where it is not left out" 0 '^4 rooms.*left out: 9 areas not 0\.5 m wide' "$plumbline" rooms "$flat"
 expect "units may be said" 0 '^0 rooms.*a drawing unit is 0\.001 m \(mm\)' "$plumbline" rooms "$flat" --unit mm
-expect "no layer of a name is an error with those that there are" 2 'no layer of this name; there are DOORS, FURNITURE, WALLS.*"nosuch"' "$plumbline" rooms "$flat" --walls nosuch
+expect "no layer of a name is an error with those that there are" 2 'no layer of this name; there are "DOORS", "FURNITURE", "WALLS".*"nosuch"' "$plumbline" rooms "$flat" --walls nosuch
 expect "sizes are not negative" 2 'not negative.*"-1"' "$plumbline" rooms "$flat" --min-width -1
-expect "which units there are" 2 'not mn, but mm, cm, dm, m, km, in or ft' "$plumbline" rooms "$flat" --unit mn
+expect "which units there are" 2 'unit is mm, cm, dm, m, km, in or ft' "$plumbline" rooms "$flat" --unit mn
 expect "a summary has areas as numbers and exact texts" 0 '"rooms": .*"names": ."Kitchen".*"layers": ."DOORS", "WALLS".*"area": 24\.0.*"area_exact": "' output_of "$plumbline" rooms "$flat" --json
 for format in geojson topojson csv wkt wkb dxf json svg html; do
   expect "rooms as $format" 0 '^wrote rooms\.'"$format" bash -c "'$plumbline' rooms '$flat' -o rooms.$format | tail -1"

@@ -40,7 +40,7 @@ expect "each command has these options" 0 '1 rejected' "$plumbline" lar c.svg --
 svg '<g id="walls"><line x2="4"/></g><g id="doors"><line x2="3" y2="1"/></g>' >d.svg
 expect "layers are chosen by patterns" 0 '1 elements, 1 segments, 1 rejected' "$plumbline" info d.svg --layers 'w*,WALLS' --layers walls
 expect "or left out" 0 '1 elements, 1 segments, 1 rejected' "$plumbline" info d.svg --without-layers 'Walls'
-expect "a pattern without a layer is an error that names them" 2 'there are walls, doors: "roof"' "$plumbline" check d.svg --layers roof
+expect "a pattern without a layer is an error that names them" 2 'there are "walls", "doors": "roof"' "$plumbline" check d.svg --layers roof
 expect "a certificate's command chooses the same" 0 "eval d.svg --layers 'w.*'" "$plumbline" arrange d.svg --layers 'w*' --certify d.certificate
 rm d.svg d.certificate
 expect "a tolerance is positive" 2 'not positive.*"0"' "$plumbline" check c.svg --flatten 0
