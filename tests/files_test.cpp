@@ -175,7 +175,7 @@ TEST_CASE("result: malformed LAR is an error at its place") {
         "f:1:33: not LAR: no such vertex: 2 are counted from 0 (a member index_base of 0 or 1 says "
         "from where): \"2\"");
   CHECK(error(R"({"V": [[0]], "EV": []})") == "f:1:8: not LAR: point of 1 coordinates");
-  CHECK(error(R"({"V": [[0,"x"]]})") == "f:1:14: not a number: \"x\"");
+  CHECK(error(R"({"V": [[0,"x"]]})") == "f:1:14: expected a number: \"x\"");
   CHECK(error(R"({"V": [[0,0]], "EV": [[0,0,0]]})") == "f:1:23: not LAR: edge of 3 vertices");
   CHECK(error(R"({"EV": []})") == "f:1:1: not LAR: no member V");
   CHECK(error(R"({"outputs": {"larFromLines": null}})") ==

@@ -90,12 +90,20 @@ TEST_CASE("a list that is segments and a model alike is refused with both readin
 }
 
 TEST_CASE("what is not drawn is listed") {
-  CHECK(listed(R"({"V": [[0, 0, 7], [1, 1, 8], [2, 2, 9]], "EV": [[0, 1]], "CV": [[0, 1, 2]]})") ==
+  CHECK(listed(R"({"V": [[0, 0, 7], [1, 1, 8], [2, 2, 9]], "EV": [[0, 1]], "KV": [[0, 1, 2]]})") ==
         "0 0, 1 1 | a.json:1:49 EV\nrejected:\n"
-        "a.json:1:64 CV: this member of a LAR model is not understood\n"
+        "a.json:1:64 KV: this member of a LAR model is not understood\n"
         "a.json V: isolated points are not drawn: 1 point\nremarks:\n"
         "a.json:1:16 V: coordinates beyond x and y are not used: 3 elements from here on\n");
   CHECK(listed(R"({"V": [], "EV": []})").empty());
+}
+
+TEST_CASE("cells of the plane are faces: what eval writes is read") {
+  const std::string cells = R"("V": [[0, 0], [1, 0], [0, 1]], "CV": [[0, 1, 2]]})";
+  std::string faces = cells;
+  faces.replace(faces.find("CV"), 2, "FV");
+  CHECK(listed("{" + cells) == listed("{" + faces));
+  CHECK(listed("{" + cells).find("0 0, 1 0") != std::string::npos);
 }
 
 TEST_CASE("an index without vertex is refused with its place") {

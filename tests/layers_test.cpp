@@ -103,9 +103,9 @@ TEST_CASE("of an SVG elements are read by their own label or id or those above t
 
 TEST_CASE("a pattern that nothing matches is an error that names the layers there are") {
   CHECK(error_of([] { of_dxf(with({"A-WALL"}, {"walls"})); }) ==
-        "a.dxf: no layer of this name; there are 0, A-WALL, A-DOOR: \"walls\"");
+        "a.dxf: no layer of this name; there are \"0\", \"A-WALL\", \"A-DOOR\": \"walls\"");
   CHECK(error_of([] { of_svg(with({"doors"})); }) ==
-        "a.svg: no layer of this name; there are Walls, fine, g2: \"doors\"");
+        "a.svg: no layer of this name; there are \"Walls\", \"fine\", \"g2\": \"doors\"");
   CHECK(error_of([] {
           plumbline::read(PLUMBLINE_EXAMPLES "/rooms.csv", with({"*"}));
         }).ends_with("no layer of this name; there are none: \"*\""));
@@ -157,7 +157,7 @@ TEST_CASE("features of a GeoJSON are on the layer that a property names, and lab
             .find("left out as asked: what is on layer walls: 2 elements") != std::string::npos);
   CHECK(segments_of(read(with({}, {"walls", ""}))) == "2 0, 3 0\n");
   CHECK(error_of([&] { read(with({"roof"})); }) ==
-        "a: no layer of this name; there are walls, doors, \"\": \"roof\"");
+        "a: no layer of this name; there are \"walls\", \"doors\", \"\": \"roof\"");
   ReadOptions level = with({"doors"});
   level.layer_property = "LEVEL";
   CHECK(read(level).segments.empty());

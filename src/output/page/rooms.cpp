@@ -32,7 +32,7 @@ std::string row(const Rooms& rooms, std::size_t r) {
       "<td>{1}</td><td class=\"number\" data-value=\"{2}\">{3}</td><td>{5}</td><td "
       "class=\"layers\" title=\"{4}\">{4}</td></tr>\n",
       r + 1, joined(room.names), shortest_text(nearest_double(room.area)),
-      area_text(rooms, room.area), joined(room.layers), neighbours_of(room));
+      area_text(rooms, room.area), joined(own_names(room.layers)), neighbours_of(room));
 }
 
 std::string list(const Rooms& rooms, const SegmentSet& input, const std::string& title) {

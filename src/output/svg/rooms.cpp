@@ -75,16 +75,11 @@ std::string fills(const Rooms& rooms, const ExactComplex& complex, const svg::Fr
   return text + "</g>\n";
 }
 
-/// What is written in a room at best: its number, a name and its area. Of several names the first
-/// one without digits: others are measures and notes.
+/// What is written in a room at best: its number, its first name and its area.
 std::vector<std::string> lines_in(const Rooms& rooms, std::size_t r) {
   const Room& room = rooms.rooms[r];
-  const auto is_name = [](const std::string& text) {
-    return text.find_first_of("0123456789") == text.npos;
-  };
   std::vector<std::string> lines{std::to_string(r + 1)};
-  const auto name = std::find_if(room.names.begin(), room.names.end(), is_name);
-  if (!room.names.empty()) lines.push_back(name == room.names.end() ? room.names.front() : *name);
+  if (!room.names.empty()) lines.push_back(room.names.front());
   lines.push_back(area_text(rooms, room.area));
   return lines;
 }

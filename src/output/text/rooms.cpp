@@ -37,18 +37,6 @@ std::string neighbours_text(const Room& room) {
   return text;
 }
 
-/// Without what binding a drawing put before them: "A-WALL" of "plan-1$0$A-WALL" and "plan|A-WALL".
-std::vector<std::string> own_names(const std::vector<std::string>& layers) {
-  std::vector<std::string> result;
-  for (const std::string& layer : layers) {
-    std::string name(own_layer_name(layer));
-    if (std::find(result.begin(), result.end(), name) == result.end()) {
-      result.push_back(std::move(name));
-    }
-  }
-  return result;
-}
-
 std::string row(const Rooms& rooms, std::size_t r) {
   constexpr std::size_t kWidest = 40, kWidestList = 24;
   const Room& room = rooms.rooms[r];
@@ -132,6 +120,17 @@ std::string area_text(const Rooms& rooms, const Rational& area) {
   if (!rooms.unit) return short_number(nearest_double(area));
   const Rational square = rooms.unit->metres * rooms.unit->metres;
   return fmt::format("{:.2f} m2", nearest_double(area * square));
+}
+
+std::vector<std::string> own_names(const std::vector<std::string>& layers) {
+  std::vector<std::string> result;
+  for (const std::string& layer : layers) {
+    std::string name(own_layer_name(layer));
+    if (std::find(result.begin(), result.end(), name) == result.end()) {
+      result.push_back(std::move(name));
+    }
+  }
+  return result;
 }
 
 std::string to_text(const Rooms& rooms, const SegmentSet& input,
