@@ -18,8 +18,9 @@ std::string quoted_options(const std::string& name, const std::vector<std::strin
   std::string options;
   for (const std::string& value : values) {
     options += " " + name + " '";
-    for (const char c : line_text(value))
+    for (const char c : line_text(value)) {
       options += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
     options += "'";
   }
   return options;

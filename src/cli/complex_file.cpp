@@ -166,8 +166,9 @@ ComplexFile complex_file(std::string_view format, const ArrangeArguments& argume
                          const Drawing& drawing) {
   if (arguments.compact) return {to_compact_json(drawing.complex, drawing.input), ""};
   const bool lacks_digits = format == "lines" && !are_decimals(drawing.complex);
-  if (arguments.safe || is_always_rounded(format) || lacks_digits)
+  if (arguments.safe || is_always_rounded(format) || lacks_digits) {
     return rounded_file(format, arguments, drawing);
+  }
   return {writer_of(format)->exact(drawing), ""};
 }
 

@@ -52,12 +52,12 @@ class Traversal::Walk {
   const Affine& map() const { return *map_; }
   const std::string& path() const { return path_.text(); }
   const std::string& layer() const {
-    static const std::string kNone;
+    static const std::string none;
     const auto of_layer = [&](const Frame& frame) {
       return structure_.structs[frame.id].category == "layer";
     };
     const auto found = std::find_if(frames_.rbegin(), frames_.rend(), of_layer);
-    return found == frames_.rend() ? kNone : structure_.structs[found->id].name;
+    return found == frames_.rend() ? none : structure_.structs[found->id].name;
   }
   std::vector<Replacement> replaced() const { return replaced_.ledger(structure_.angle_bound); }
 

@@ -57,7 +57,7 @@ void add(const fs::path& file, SegmentSet input, const std::string& result, Tota
   Answer answer = answer_of(inters::engine(), input, {{"result", result}});
   ExactComplex complex = arrange(input);
   const Check checked =
-      check(std::move(input), std::move(complex), std::move(answer), {kTolerance, {}, 0});
+      check(std::move(input), std::move(complex), std::move(answer), {kTolerance, {}, 0, {}});
   ++totals.files;
   totals.agreeing += checked.agree();
   totals.findings += checked.comparison.findings.size();

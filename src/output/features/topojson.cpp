@@ -95,8 +95,7 @@ namespace {
 auto geometry(const FeatureLayer& layer, const Feature& feature, features::Arcs& arcs) {
   const FeatureGeometry type = layer.geometry;
   const auto along = [&arcs](const auto&) { return arcs.along_next(); };
-  auto name = given(!feature.parts.empty(), [type] { return type_name(type); });
-  return object(member("type", std::move(name)),
+  return object(member("type", given(!feature.parts.empty(), [type] { return type_name(type); })),
                 when(type == FeatureGeometry::Point && !feature.parts.empty(),
                      [&feature] { return member("coordinates", feature.parts[0][0]); }),
                 when(type == FeatureGeometry::Line,

@@ -20,8 +20,9 @@ std::string depth_legend(const svg::OwnCoordinates& picture, const FloatComplex&
   for (const std::uint32_t depth : complex.face_depth) {
     deepest = std::max<std::size_t>(deepest, depth);
   }
-  for (std::size_t e = 0; e < complex.edge_count(); ++e)
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     antennas += complex.is_antenna(EdgeId(e)) ? 1 : 0;
+  }
   std::string svg;
   double x = 0;
   const auto words = [&](const std::string& text, double width) {

@@ -26,8 +26,9 @@ OwnCoordinates own_coordinates(const Extent& extent, bool y_up) {
   const int exponent = std::ilogb(longer);
   Frame& frame = picture.frame;
   frame.y_up = y_up;
-  if (longer < kLeastWide || longer > kMostWide)
+  if (longer < kLeastWide || longer > kMostWide) {
     frame.scale = std::ldexp(1, std::ilogb(kLeastWide) + 1 - exponent);
+  }
   const double farthest = std::max(
       {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
   if (farthest > kFarSizes * longer) {
