@@ -5,12 +5,12 @@
 
 #include "output/features/chains.hpp"
 #include "output/features/dxf_frame.hpp"
-#include "output/features/dxf_units.hpp"
 #include "output/features/label_place.hpp"
 #include "output/features/numbering.hpp"
 #include "plumbline/features.hpp"
 #include "plumbline/output.hpp"
 #include "structure/colour_index.hpp"
+#include "structure/dxf_units.hpp"
 
 namespace plumbline {
 namespace features {
@@ -47,7 +47,7 @@ class DxfFile {
       }
     }
     frame_.comment = features_.note;
-    frame_.unit = features_.unit ? unit_number(features_.unit->metres) : 0;
+    frame_.unit = features_.unit ? code_of_unit(features_.unit->metres) : 0;
     return dxf_file(frame_, std::move(out_));
   }
 

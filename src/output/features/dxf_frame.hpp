@@ -16,7 +16,7 @@ struct DxfLayer {
 /// What a DXF R2000 file has around its entities.
 struct DxfFrame {
   std::string comment;
-  int unit = 0;  ///< $INSUNITS
+  std::int64_t unit = 0;  ///< $INSUNITS
   PointD least, greatest;
   std::vector<DxfLayer> layers;  ///< "0" may be among them
 };

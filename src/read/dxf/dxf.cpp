@@ -10,7 +10,7 @@
 #include "read/dxf/entity_reader.hpp"
 #include "read/dxf/space.hpp"
 #include "read/dxf/tables.hpp"
-#include "read/dxf/units.hpp"
+#include "structure/dxf_units.hpp"
 
 namespace plumbline {
 namespace dxf {
@@ -110,7 +110,7 @@ class DxfReader {
     if (name != "HEADER") return;
     const Header header = header_of(record_);
     names_.set_encoding(header.version, header.code_page);
-    unit_ = unit_of(header.units);
+    if (std::int64_t code = 0; parse_integer(header.units, code)) unit_ = unit_of_code(code);
   }
 
   void close_section() {

@@ -1,10 +1,8 @@
-#include "read/dxf/units.hpp"
+#include "structure/dxf_units.hpp"
 
 #include <array>
 
-#include "read/dxf/records.hpp"
-
-namespace plumbline::dxf {
+namespace plumbline {
 namespace {
 
 struct NamedUnit {
@@ -42,13 +40,19 @@ constexpr std::array kUnits{
 
 }  // namespace
 
-std::optional<LengthUnit> unit_of(std::string_view insunits) {
-  std::int64_t code = 0;
-  if (!parse_integer(insunits, code) || code < 1 || code > std::int64_t{kUnits.size()}) return {};
+std::optional<LengthUnit> unit_of_code(std::int64_t code) {
+  if (code < 1 || code > std::int64_t{kUnits.size()}) return {};
   const NamedUnit& unit = kUnits.at(static_cast<std::size_t>(code) - 1);
   Rational metres(unit.metres);
   metres.canonicalize();
   return LengthUnit{unit.name, metres};
 }
 
-}  // namespace plumbline::dxf
+std::int64_t code_of_unit(const Rational& metres) {
+  for (std::int64_t code = 1; const auto unit = unit_of_code(code); ++code) {
+    if (unit->metres == metres) return code;
+  }
+  return 0;
+}
+
+}  // namespace plumbline
