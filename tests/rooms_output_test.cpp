@@ -51,7 +51,7 @@ TEST_CASE("rooms as a table: numbers, areas in square metres, names, neighbours"
   CHECK(holds(text, "    1      12.00 m2  Bath"));
   CHECK(holds(text, "    2       9.00 m2  "));
   CHECK_FALSE(holds(text, "\x1b"));
-  CHECK(holds(to_text(found, input, 1), "... and 1 smaller ones"));
+  CHECK(holds(to_text(found, input, 1), "... and 1 smaller ("));
 }
 
 TEST_CASE("rooms as JSON: exact areas beside rounded ones") {
@@ -107,4 +107,13 @@ TEST_CASE("the example plan has three rooms once its furniture is left out") {
   for (const Room& room : found.rooms) sum += room.area;
   CHECK(nearest_double(sum) > 80);
   CHECK(nearest_double(sum) < 82);
+}
+
+TEST_CASE("one room is no rooms") {
+  SegmentSet input = evaluate(read_lines("0,0,4,0\n4,0,4,4\n4,4,0,0\n", "one.lines"));
+  const ExactComplex complex = arrange(input);
+  const Rooms found = rooms(input, complex);
+  CHECK(holds(to_text(found, input), "1 room, "));
+  CHECK(holds(to_svg(found, input, complex), ">one.lines: 1 room, 8<"));
+  CHECK(holds(to_html(found, input, complex), "<p>1 room, 8</p>"));
 }

@@ -83,7 +83,8 @@ ExitCode run(const RoomsArguments& arguments, Report& report) {
     options.unit = arguments.unit;
     return rooms(drawing.input, drawing.complex, options);
   }();
-  report.set_headline(fmt::format("{} rooms", found.rooms.size()));
+  report.set_headline(
+      fmt::format("{} room{}", found.rooms.size(), found.rooms.size() == 1 ? "" : "s"));
   set_losses(report, drawing.input);
   set_rooms(report, found);
   report.print("{}{}", to_text(found, drawing.input, arguments.listed),

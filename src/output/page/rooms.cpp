@@ -36,14 +36,12 @@ std::string row(const Rooms& rooms, std::size_t r) {
 }
 
 std::string list(const Rooms& rooms, const SegmentSet& input, const std::string& title) {
-  Rational sum;
-  for (const Room& room : rooms.rooms) sum += room.area;
   std::string text = fmt::format(
-      "<section id=\"list\">\n<h1>{}</h1>\n<p>{} rooms, {}</p>\n"
+      "<section id=\"list\">\n<h1>{}</h1>\n<p>{}</p>\n"
       "<input id=\"search\" type=\"search\" placeholder=\"Search names, layers, numbers\" "
       "aria-label=\"Search rooms\">\n<p id=\"found\" aria-live=\"polite\"></p>\n"
       "<table id=\"rooms\"><thead><tr>",
-      xml_text(title), rooms.rooms.size(), area_text(rooms, sum));
+      xml_text(title), rooms_line(rooms));
   for (const char* heading : {"room", "name", "area", "neighbours", "layers"}) {
     text += fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", heading);
   }

@@ -216,12 +216,9 @@ std::string to_svg(const Rooms& rooms, const SegmentSet& input, const ExactCompl
   using namespace svg;
   const Plan plan = placed(input, complex, kHead);
   const double bottom = plan.panel.high.y, left = plan.panel.high.x + sheet::kMargin;
-  Rational sum;
-  for (const Room& room : rooms.rooms) sum += room.area;
   std::string result = sheet::open(sheet::kWidth, bottom + kFoot);
-  result += text(
-      {sheet::kMargin, 40}, 22, " font-weight=\"bold\"",
-      sheet::titled(input, fmt::format("{} rooms, {}", rooms.rooms.size(), area_text(rooms, sum))));
+  result += text({sheet::kMargin, 40}, 22, " font-weight=\"bold\"",
+                 sheet::titled(input, rooms_line(rooms)));
   result += plan_with_words(rooms, complex, plan);
   result += list_of(rooms, left, kHead, bottom);
   result += swatch({left, bottom + 22}, kNarrow);

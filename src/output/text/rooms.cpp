@@ -116,6 +116,12 @@ std::string outside(const Rooms& rooms, const SegmentSet& input) {
 
 }  // namespace
 
+std::string rooms_line(const Rooms& rooms) {
+  Rational sum;
+  for (const Room& room : rooms.rooms) sum += room.area;
+  return counted(rooms.rooms.size(), "room") + ", " + area_text(rooms, sum);
+}
+
 std::string area_text(const Rooms& rooms, const Rational& area) {
   if (!rooms.unit) return short_number(nearest_double(area));
   const Rational square = rooms.unit->metres * rooms.unit->metres;
@@ -160,7 +166,7 @@ std::string to_text(const Rooms& rooms, const SegmentSet& input,
   }
   for (const std::size_t r : shown) text += row(rooms, r);
   if (shown.size() < rooms.rooms.size()) {
-    text += fmt::format("  ... and {} smaller ones (--list N, -o rooms.csv)\n",
+    text += fmt::format("  ... and {} smaller (--list N, -o rooms.csv)\n",
                         rooms.rooms.size() - shown.size());
   }
   return text + rest_text(rooms, input);
