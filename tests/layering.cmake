@@ -34,6 +34,8 @@ room(compare error geometry complex arrange)
 room(ladder error number geometry complex)
 room(rings geometry complex)
 room(diagnose error number geometry complex arrange rings)
+room(edits error complex)
+room(repair error number geometry complex arrange edits)
 room(engine error number complex arrange compare)
 room(check error geometry arrange compare ladder engine)
 room(file error detail)
@@ -46,7 +48,7 @@ room(output error number geometry structure complex rooms polygons chains round 
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error geometry read chains arrange round check engines/lar/stages engines/inters/stages engines/files)
-room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings diagnose engine check
+room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings diagnose edits repair engine check
      engines/lar/stages engines/inters/stages engines/files output engines/lar/show engines/inters/show
      pipeline)
 room(cli error detail read arrange round engine engines/files output engines/lar/show pipeline plumbline)

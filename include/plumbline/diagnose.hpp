@@ -79,11 +79,6 @@ struct Opening {
   std::vector<SegmentId> segments;  ///< those that end there, ascending
 };
 
-/// From one number to another, both included.
-struct Range {
-  Rational least, most;
-};
-
 /// How to diagnose.
 struct DiagnoseOptions {
   /// The search distance; by default the longer side of the drawing's `extent` / 1000. Requires:

@@ -114,6 +114,13 @@ std::string exact_text(const Rational& value);
 /// a decimal; throws Error BadInput.
 std::string decimal_text(const Rational& value);
 
+/// From one number to another, both included.
+struct Range {
+  Rational least, most;
+
+  friend bool operator==(const Range&, const Range&) = default;
+};
+
 /// A unit of length.
 struct LengthUnit {
   std::string name;  ///< "mm", "m", "in", ...
