@@ -1,17 +1,57 @@
 #include "plumbline/repair.hpp"
 
-#include <utility>
-
-#include "plumbline/arrange.hpp"
+#include "plumbline/error.hpp"
+#include "repair/steps.hpp"
 
 namespace plumbline {
+namespace {
 
-Repair repair(const SegmentSet& input, const RepairOptions& /*options*/) {
+using namespace repair_steps;
+
+Tolerances chosen(const RepairOptions& options) {
+  Tolerances result{options.weld.value_or(0),
+                    options.grow.value_or(0),
+                    options.trim.value_or(0),
+                    options.sliver.value_or(0),
+                    options.snap,
+                    options.simplify,
+                    options.doors};
+  return result;
+}
+
+/// All steps, one after the other.
+void repair_once(Work& work, const Tolerances& tolerances) {
+  const std::size_t first_edit = work.edits().size();
+  Arranged now = arranged(work);
+  auto arrange_anew = [&, edits = first_edit]() mutable {
+    if (work.edits().size() == edits) return;
+    edits = work.edits().size();
+    now = arranged(work);
+  };
+  merge(work, now);
+  arrange_anew();
+  if (sgn(tolerances.grow) > 0) grow(work, now, tolerances.grow);
+  arrange_anew();
+  if (sgn(tolerances.trim) > 0) trim(work, now, tolerances.trim);
+  arrange_anew();
+  dissolve(work, now, first_edit);
+}
+
+/// More often than any drawing needs.
+constexpr std::size_t kMostRounds = 100;
+
+}  // namespace
+
+Repair repair(const SegmentSet& input, const RepairOptions& options) {
   Repair result;
-  result.output = input;
-  for (std::size_t s = 0; s < input.segments.size(); ++s) {
-    result.origins.push_back(std::vector<SegmentId>{SegmentId(s)});
+  result.tolerances = chosen(options);
+  Work work(input, result.anchored);
+  for (std::size_t round = 0; round < kMostRounds; ++round) {
+    const std::size_t edits = work.edits().size();
+    repair_once(work, result.tolerances);
+    if (work.edits().size() == edits) break;
   }
+  work.write(result);
   return result;
 }
 

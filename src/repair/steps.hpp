@@ -1,0 +1,20 @@
+#pragma once
+
+#include "plumbline/repair.hpp"
+#include "repair/work.hpp"
+
+/// The steps of `repair`, in order. Each looks at the arrangement of the lines that there are, and
+/// makes its edits in an order that the geometry alone decides.
+namespace plumbline::repair_steps {
+
+/// Lines that share more than a point become one, but for common sides of neighbouring shapes.
+void merge(Work& work, const Arranged& arranged);
+/// Loose ends run on, all at the same speed, each until it first meets the drawing or the track of
+/// another one that was there before: a bounded motorcycle graph (Eppstein, Erickson 1999).
+void grow(Work& work, const Arranged& arranged, const Rational& reach);
+/// Loose chains go, those of the smallest reach first.
+void trim(Work& work, const Arranged& arranged, const Rational& reach);
+/// Where edits since `first_edit` have left two lines end to end on one line, these become one.
+void dissolve(Work& work, const Arranged& arranged, std::size_t first_edit);
+
+}  // namespace plumbline::repair_steps

@@ -1,0 +1,160 @@
+#include "plumbline/repair.hpp"
+
+#include <catch2/catch.hpp>
+#include <functional>
+#include <random>
+
+#include "plumbline/arrange.hpp"
+#include "support/segments.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Rational number(const std::string& text) { return parse_decimal(text); }
+
+/// Tolerances that are given are numbers; the others are 0.
+RepairOptions within(const std::string& weld, const std::string& grow, const std::string& trim,
+                     const std::string& sliver = "0") {
+  RepairOptions options;
+  options.weld = number(weld);
+  options.grow = number(grow);
+  options.trim = number(trim);
+  options.sliver = number(sliver);
+  return options;
+}
+
+/// A drawing, and what is right.
+struct Case {
+  std::string name, drawing, right;
+  RepairOptions options;
+};
+
+const std::string box = "0 0 10 0  10 0 10 8  10 8 0 8  0 8 0 0  ";
+
+std::vector<Case> cases() {
+  return {
+      {"corner", "0 0 10.03 0  10 0.02 10 8  10 8 0 8  0 8 0 0", box, within("0", "0.05", "0.05")},
+      {"first hit", "0 0 10.04 0  10 0 10 8  10.04 0 10.04 8  10.04 8 0 8  0 8 0 0  0 4 9.98 4",
+       "0 0 10.04 0  10 0 10 8  10.04 0 10.04 8  10.04 8 0 8  0 8 0 0  0 4 10 4",
+       within("0", "0.1", "0.1")},
+      {"pieces", "0 0 5 0  5.06 0 5.1 0  5.15 0 10 0  10 0 10 8  10 8 0 8  0 8 0 0", box,
+       within("0", "0.1", "0.1")},
+      {"niche",
+       "0 0 4 0  4 0 4 -0.05  4 -0.05 4.6 -0.05  4.6 -0.05 4.6 0  4.6 0 9.96 0  10 0 10 8  10 8 0 "
+       "8  "
+       "0 8 0 0",
+       "0 0 4 0  4 0 4 -0.05  4 -0.05 4.6 -0.05  4.6 -0.05 4.6 0  4.6 0 10 0  10 0 10 8  10 8 0 8  "
+       "0 8 0 0",
+       within("0", "0.06", "0.06")},
+      {"star", box + "0 4 4.97 4  5.03 4 10 4  5 0 5 3.97  5 4.03 5 8", box + "0 4 10 4  5 0 5 8",
+       within("0", "0.1", "0.1")},
+      {"across",
+       "0 0 10 0  0 -4 10 -4  0 4 10 4  0 -4 0 4  10 -4 10 4  5 0.03 5 4  5.02 -0.03 5.02 -4",
+       "0 0 10 0  0 -4 10 -4  0 4 10 4  0 -4 0 4  10 -4 10 4  5 0 5 4  5.02 0 5.02 -4",
+       within("0", "0.1", "0.1")},
+      {"tree of dangles", box + "5 0 5 0.2  5 0.2 4.7 0.2  5 0.2 5 0.6", box + "5 0 5 0.6",
+       within("0", "0", "0.5")},
+      {"nothing",
+       "0 0 7 0  7 0 7 11  7 11 0 11  0 11 0 0  0 1 7 1  0.943 0.648 1.343 0.263  "
+       "1.023 0.571 0.543 0.573",
+       "", within("0.05", "0.05", "0.05", "0.05")},
+  };
+}
+
+using Map = std::function<Point(const Point&)>;
+
+/// How plans are moved, and how much longer lengths become.
+struct Motion {
+  std::string name;
+  Map map;
+  Rational scale;
+};
+
+std::vector<Motion> motions() {
+  const Rational third(1, 3);
+  return {
+      {"as it is", [](const Point& p) { return p; }, 1},
+      {"turned by 3-4-5",
+       [](const Point& p) {
+         return Point{(3 * p.x - 4 * p.y) / 5 + Rational(1, 7), (4 * p.x + 3 * p.y) / 5};
+       },
+       1},
+      {"mirrored",
+       [](const Point& p) {
+         return Point{-p.x, p.y};
+       },
+       1},
+      {"scaled by 1/3",
+       [third](const Point& p) {
+         return Point{p.x * third, p.y * third};
+       },
+       third},
+      {"scaled by 1000",
+       [](const Point& p) {
+         return Point{p.x * 1000, p.y * 1000};
+       },
+       1000},
+      {"moved by 1e6",
+       [](const Point& p) {
+         return Point{p.x + 1000000, p.y - 1000000};
+       },
+       1},
+  };
+}
+
+SegmentSet moved(SegmentSet set, const Map& map) {
+  set.segments = changed(set.segments, [&](Segment& s) { s = {map(s.a), map(s.b)}; });
+  return set;
+}
+
+RepairOptions scaled(RepairOptions options, const Rational& scale) {
+  for (auto* tolerance : {&options.weld, &options.grow, &options.trim, &options.sliver}) {
+    if (*tolerance) **tolerance *= scale;
+  }
+  if (options.doors) {
+    options.doors = Range{options.doors->least * scale, options.doors->most * scale};
+  }
+  return options;
+}
+
+std::string signature_of(const SegmentSet& set) { return signature(arrange(set)); }
+
+}  // namespace
+
+TEST_CASE("plans with right answers are repaired to them, wherever they lie") {
+  for (const Case& c : cases()) {
+    for (const Motion& motion : motions()) {
+      INFO(c.name << ", " << motion.name);
+      const SegmentSet drawing = moved(segments(c.drawing), motion.map);
+      const SegmentSet right = moved(segments(c.right.empty() ? c.drawing : c.right), motion.map);
+      const RepairOptions options = scaled(c.options, motion.scale);
+      const Repair repaired = repair(drawing, options);
+      for (const Edit& edit : repaired.edits) {
+        UNSCOPED_INFO(to_text(edit.kind) << " at " << to_text(edit.where) << " by "
+                                         << nearest_sqrt(edit.squared_size));
+      }
+      CHECK(signature_of(repaired.output) == signature_of(right));
+      CHECK(repair(repaired.output, options).edits.empty());
+    }
+  }
+}
+
+TEST_CASE("order, direction and repetition of segments do not change what a repair makes") {
+  std::mt19937 random(5);
+  for (const Case& c : cases()) {
+    INFO(c.name);
+    const SegmentSet drawing = segments(c.drawing);
+    const std::string expected = signature_of(repair(drawing, c.options).output);
+    for (int i = 0; i < 5; ++i) {
+      SegmentSet other = drawing;
+      other.segments = shuffled(drawing.segments, random);
+      if (i % 2 == 1) other.segments = reversed(other.segments);
+      CHECK(signature_of(repair(other, c.options).output) == expected);
+      other.segments = joined(other.segments, drawing.segments);
+      other.segment_source.insert(other.segment_source.end(), drawing.segment_source.begin(),
+                                  drawing.segment_source.end());
+      CHECK(signature_of(repair(other, c.options).output) == expected);
+    }
+  }
+}
