@@ -19,6 +19,21 @@ Tolerances chosen(const RepairOptions& options) {
   return result;
 }
 
+/// More often than any drawing needs.
+constexpr std::size_t kMostRounds = 100;
+
+/// Until nothing moves any more.
+void weld_and_merge(Work& work, Arranged& now, const Rational& distance) {
+  for (std::size_t round = 0; round < kMostRounds; ++round) {
+    const std::size_t edits = work.edits().size();
+    weld(work, now, distance);
+    if (work.edits().size() == edits) return;
+    now = arranged(work);
+    merge(work, now);
+    now = arranged(work);
+  }
+}
+
 /// All steps, one after the other.
 void repair_once(Work& work, const Tolerances& tolerances) {
   const std::size_t first_edit = work.edits().size();
@@ -30,15 +45,13 @@ void repair_once(Work& work, const Tolerances& tolerances) {
   };
   merge(work, now);
   arrange_anew();
+  if (sgn(tolerances.weld) > 0) weld_and_merge(work, now, tolerances.weld);
   if (sgn(tolerances.grow) > 0) grow(work, now, tolerances.grow);
   arrange_anew();
   if (sgn(tolerances.trim) > 0) trim(work, now, tolerances.trim);
   arrange_anew();
   dissolve(work, now, first_edit);
 }
-
-/// More often than any drawing needs.
-constexpr std::size_t kMostRounds = 100;
 
 }  // namespace
 

@@ -9,6 +9,9 @@ namespace plumbline::repair_steps {
 
 /// Lines that share more than a point become one, but for common sides of neighbouring shapes.
 void merge(Work& work, const Arranged& arranged);
+/// Lines that hang together on one straight line go onto a stronger such line beside them, with all
+/// that meets them.
+void weld(Work& work, const Arranged& arranged, const Rational& distance);
 /// Loose ends run on, all at the same speed, each until it first meets the drawing or the track of
 /// another one that was there before: a bounded motorcycle graph (Eppstein, Erickson 1999).
 void grow(Work& work, const Arranged& arranged, const Rational& reach);

@@ -12,9 +12,9 @@ namespace {
 
 /// What all points of a line share: whether it is vertical, its slope, its height at x = 0 or its
 /// x.
-using Carrier = std::tuple<bool, Rational, Rational>;
+using Slope = std::tuple<bool, Rational, Rational>;
 
-Carrier carrier_of(const Tip& tip) {
+Slope slope_of(const Tip& tip) {
   if (sgn(tip.direction.x) == 0) return {true, 0, tip.point.x};
   const Rational slope = tip.direction.y / tip.direction.x;
   return {false, slope, tip.point.y - slope * tip.point.x};
@@ -66,10 +66,10 @@ std::vector<Segment> tracks_of(const std::vector<Tip>& tips, const Rational& rea
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> facing_pairs(const std::vector<Tip>& tips) {
-  std::map<Carrier, std::vector<std::size_t>> on_line;  // ascending, as vertices are
-  for (std::size_t t = 0; t < tips.size(); ++t) on_line[carrier_of(tips[t])].push_back(t);
+  std::map<Slope, std::vector<std::size_t>> on_line;  // ascending, as vertices are
+  for (std::size_t t = 0; t < tips.size(); ++t) on_line[slope_of(tips[t])].push_back(t);
   std::vector<std::pair<std::size_t, std::size_t>> result;
-  for (const auto& [carrier, members] : on_line) {
+  for (const auto& [slope, members] : on_line) {
     for (std::size_t i = 1; i < members.size(); ++i) {
       const std::size_t t = members[i - 1], u = members[i];
       if (is_forward(tips[t].direction) && !is_forward(tips[u].direction)) {

@@ -1,0 +1,222 @@
+// Carriers go onto stronger ones beside them. Then all vertices of the arrangement on what moves go
+// to where the carriers that meet in them meet now: so nothing that touched comes apart.
+
+#include <algorithm>
+#include <map>
+
+#include "repair/carriers.hpp"
+#include "repair/steps.hpp"
+
+namespace plumbline::repair_steps {
+namespace {
+
+/// The part of a line that a carrier and what has gone onto it cover, as parameters of c.
+struct Interval {
+  Rational low, high;
+};
+Rational parameter(const Carrier& c, const Point& p) {
+  return ((p.x - c.a.x) * (c.b.x - c.a.x) + (p.y - c.a.y) * (c.b.y - c.a.y)) / c.squared_length;
+}
+Interval interval(const Carrier& c, const Carrier& of) {
+  const Rational t = parameter(c, of.a), u = parameter(c, of.b);
+  return {std::min(t, u), std::max(t, u)};
+}
+
+class Welding {
+ public:
+  Welding(Work& work, const Arranged& arranged, const Rational& distance)
+      : work_(work),
+        arranged_(arranged),
+        complex_(arranged.complex),
+        squared_distance_(distance * distance),
+        all_(carriers_of(work, arranged)),
+        onto_(all_.carriers.size()) {
+    for (std::size_t i = 0; i < onto_.size(); ++i) onto_[i] = i;
+    beside_.resize(onto_.size());
+    for (const auto& [i, j] : side_by_side(work, arranged, distance)) {
+      const std::size_t c = all_.of_line[i], d = all_.of_line[j];
+      if (c == d) continue;
+      beside_[c].push_back(d);
+      beside_[d].push_back(c);
+    }
+  }
+
+  void run() {
+    choose();
+    move_vertices();
+    move_lines();
+  }
+
+ private:
+  const Carrier& carrier(std::size_t i) const { return all_.carriers[i]; }
+
+  /// The strongest carriers first take the weaker ones beside them, and what is beside those.
+  void choose() {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < beside_.size(); ++i) {
+      if (!beside_[i].empty()) order.push_back(i);
+    }
+    std::ranges::sort(
+        order, [&](std::size_t i, std::size_t j) { return is_stronger(carrier(i), carrier(j)); });
+    std::vector<char> is_settled(beside_.size());
+    for (const std::size_t c : order) {
+      if (is_settled[c] != 0) continue;
+      is_settled[c] = 1;
+      Interval covered{0, 1};
+      std::vector<std::size_t> near = beside_[c];
+      for (bool again = true; again;) {
+        again = false;
+        std::ranges::sort(near);
+        near.erase(std::ranges::unique(near).begin(), near.end());
+        const std::vector<std::size_t> tried = near;
+        for (const std::size_t d : tried) {
+          if (is_settled[d] != 0 || !fits(carrier(c), carrier(d), covered)) continue;
+          is_settled[d] = 1;
+          onto_[d] = c;
+          const Interval more = interval(carrier(c), carrier(d));
+          covered = {std::min(covered.low, more.low), std::max(covered.high, more.high)};
+          near.insert(near.end(), beside_[d].begin(), beside_[d].end());
+          again = true;
+        }
+      }
+    }
+  }
+
+  /// Whether d may go onto c: as it is and as it was authored it lies within the distance, beside
+  /// what c covers, and it is no detail as small as the distance.
+  bool fits(const Carrier& c, const Carrier& d, const Interval& covered) const {
+    if (d.is_anchored || d.squared_length <= 4 * squared_distance_) return false;
+    const Interval own = interval(c, d);
+    if (own.high <= covered.low || own.low >= covered.high) return false;
+    if (!is_near(c, d.a) || !is_near(c, d.b)) return false;
+    for (const LineId id : d.lines) {
+      for (const SegmentId s : work_.line(id).segments) {
+        const Segment authored = work_.input().segments[s];
+        if (!is_near(c, authored.a) || !is_near(c, authored.b)) return false;
+      }
+    }
+    return true;
+  }
+  bool is_near(const Carrier& c, const Point& p) const {
+    return squared_distance_from(c, p) <= squared_distance_;
+  }
+
+  /// Images of the vertices on what moves.
+  void move_vertices() {
+    std::map<VertexId, std::vector<std::size_t>> through;  // final carriers
+    for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
+      const std::size_t c = carrier_of_edge(EdgeId(e));
+      if (onto_[c] == c) continue;
+      through[complex_.edges[e].tail];
+      through[complex_.edges[e].head];
+    }
+    if (through.empty()) return;
+    for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
+      for (const VertexId v : {complex_.edges[e].tail, complex_.edges[e].head}) {
+        const auto found = through.find(v);
+        if (found != through.end()) found->second.push_back(onto_[carrier_of_edge(EdgeId(e))]);
+      }
+    }
+    for (auto& [v, carriers] : through) {
+      std::ranges::sort(carriers, [&](std::size_t i, std::size_t j) {
+        return is_stronger(carrier(i), carrier(j));
+      });
+      carriers.erase(std::ranges::unique(carriers).begin(), carriers.end());
+      image_.emplace(v, image(complex_.vertices[v], carriers));
+    }
+  }
+
+  /// All lines of an edge lie on one carrier.
+  std::size_t carrier_of_edge(EdgeId e) const {
+    return all_.of_line[complex_.edge_sources[e].front()];
+  }
+
+  /// Where the strongest carrier through v meets the next strong one, no further away than twice
+  /// the distance; else its foot.
+  Point image(const Point& v, const std::vector<std::size_t>& carriers) const {
+    const Carrier& first = carrier(carriers.front());
+    for (std::size_t i = 1; i < carriers.size(); ++i) {
+      const std::optional<Point> p = meeting(first, carrier(carriers[i]));
+      if (p && squared_distance(*p, v) <= 4 * squared_distance_) return *p;
+    }
+    return foot(first, v);
+  }
+
+  /// Lines lead over the images of their vertices.
+  void move_lines() {
+    if (image_.empty()) return;
+    std::map<LineId, std::vector<VertexId>> vertices;
+    std::vector<char> moves(arranged_.line_of.size());
+    for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
+      const Edge& edge = complex_.edges[e];
+      if (!image_.contains(edge.tail) && !image_.contains(edge.head)) continue;
+      for (const SegmentId s : complex_.edge_sources[e]) moves[s] = 1;
+    }
+    for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
+      for (const SegmentId s : complex_.edge_sources[e]) {
+        if (moves[s] == 0) continue;
+        std::vector<VertexId>& on_line = vertices[arranged_.line_of[s]];
+        if (on_line.empty()) on_line.push_back(complex_.edges[e].tail);
+        on_line.push_back(complex_.edges[e].head);
+      }
+    }
+    std::vector<std::pair<LineId, std::vector<VertexId>>> ordered(vertices.begin(), vertices.end());
+    std::ranges::sort(ordered, [](const auto& p, const auto& q) { return p.second < q.second; });
+    for (const auto& [id, on_line] : ordered) move(id, on_line);
+  }
+
+  void move(LineId id, const std::vector<VertexId>& on_line) {
+    std::vector<Point> path;
+    Rational squared_size = 0;
+    for (const VertexId v : on_line) {
+      const Point from = complex_.vertices[v];
+      const auto moved = image_.find(v);
+      const Point& to = moved == image_.end() ? from : moved->second;
+      squared_size = std::max(squared_size, squared_distance(from, to));
+      if (path.empty() || !(path.back() == to)) path.push_back(to);
+    }
+    const Line line = work_.line(id);
+    std::vector<Line> after;
+    for (const auto& [p, q] : straightened(path)) after.push_back({p, q, line.segments});
+    if (after.size() == 1 && std::min(after[0].a, after[0].b) == line.a &&
+        std::max(after[0].a, after[0].b) == line.b) {
+      return;
+    }
+    work_.apply(EditKind::Weld, line.a, squared_size, {id}, std::move(after));
+  }
+
+  /// The same path with as few segments as cover it.
+  static std::vector<std::pair<Point, Point>> straightened(const std::vector<Point>& path) {
+    std::vector<std::pair<Point, Point>> result;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      if (!result.empty() && orientation(result.back().first, result.back().second, path[i]) == 0) {
+        auto& [p, q] = result.back();
+        const Point low = std::min({p, q, path[i]}), high = std::max({p, q, path[i]});
+        // It goes on from where the path is, or it turns back.
+        p = path[i] == high ? low : high;
+        q = path[i];
+        if (!(q == low) && !(q == high)) p = low, q = high;
+        continue;
+      }
+      result.emplace_back(path[i - 1], path[i]);
+    }
+    return result;
+  }
+
+  Work& work_;
+  const Arranged& arranged_;
+  const ExactComplex& complex_;
+  Rational squared_distance_;
+  Carriers all_;
+  std::vector<std::size_t> onto_;  ///< per carrier, the one that it goes onto, or itself
+  std::vector<std::vector<std::size_t>> beside_;
+  std::map<VertexId, Point> image_;
+};
+
+}  // namespace
+
+void weld(Work& work, const Arranged& arranged, const Rational& distance) {
+  Welding(work, arranged, distance).run();
+}
+
+}  // namespace plumbline::repair_steps
