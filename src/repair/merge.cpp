@@ -7,36 +7,19 @@
 #include "repair/steps.hpp"
 
 namespace plumbline::repair_steps {
-namespace {
-
-/// Whether lines are sides that two closed shapes have in common; unknown of lines made since.
-class CommonSides {
- public:
-  explicit CommonSides(const SegmentSet& input) : sides_(diagnose_steps::sides_of(input)) {}
-
-  bool have(LineId id, LineId other) const {
-    return id < sides_.size() && other < sides_.size() && are_neighbours(sides_[id], sides_[other]);
-  }
-
- private:
-  std::vector<diagnose_steps::SideOf> sides_;
-};
-
-}  // namespace
-
 void merge(Work& work, const Arranged& arranged) {
   const Lists<SegmentId>& sources = arranged.complex.edge_sources;
   UnionFind sets(arranged.line_of.size());
-  std::optional<CommonSides> common_sides;
+  std::optional<std::vector<diagnose_steps::SideOf>> sides;
   bool found = false;
   for (std::size_t e = 0; e < sources.size(); ++e) {
     for (std::size_t i = 1; i < sources[e].size(); ++i) {
-      if (!common_sides) common_sides.emplace(work.input());
+      if (!sides) sides = diagnose_steps::sides_of(work.drawing());
       for (std::size_t j = 0; j < i; ++j) {
-        const LineId p = arranged.line_of[sources[e][i]], q = arranged.line_of[sources[e][j]];
-        if (sets.find(sources[e][i]) == sets.find(sources[e][j])) continue;
-        if (work.is_anchored(p) || work.is_anchored(q) || common_sides->have(p, q)) continue;
-        sets.unite(sources[e][i], sources[e][j]);
+        const std::size_t p = sources[e][i], q = sources[e][j];
+        if (sets.find(p) == sets.find(q) || are_neighbours((*sides)[p], (*sides)[q])) continue;
+        if (work.is_anchored(arranged.line_of[p]) || work.is_anchored(arranged.line_of[q])) continue;
+        sets.unite(p, q);
         found = true;
       }
     }

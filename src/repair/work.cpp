@@ -20,6 +20,9 @@ std::vector<LineId> Work::lines() const {
   for (std::size_t i = 0; i < is_there_.size(); ++i) {
     if (is_there_[i] != 0) result.emplace_back(i);
   }
+  std::ranges::stable_sort(result, {}, [&](LineId id) {
+    return is_virtual(id) ? SegmentId() : first_segment(id);
+  });
   return result;
 }
 
@@ -104,43 +107,69 @@ void Work::apply(EditKind kind, Point where, Rational squared_size,
   edits_.push_back(std::move(edit));
 }
 
+Segment Work::directed(const Line& line) const {
+  if (line.segments.empty()) return {line.a, line.b};
+  const Segment first = input_.segments[line.segments.front()];
+  return first.b < first.a ? Segment{line.b, line.a} : Segment{line.a, line.b};
+}
+
+void Work::add_rings(SegmentSet& drawing, const std::vector<LineId>& order) const {
+  if (input_.rings.empty()) return;
+  // Per segment of the input, where it is in the drawing if a line stands for it alone.
+  std::vector<std::size_t> place(input_.segments.size(), order.size());
+  std::vector<std::size_t> lines_of(input_.segments.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Line line = this->line(order[i]);
+    for (const SegmentId s : line.segments) {
+      lines_of[s] += line.segments.size();
+      place[s] = i;
+    }
+  }
+  for (const Ring& ring : input_.rings) {
+    bool is_whole = ring.count > 0 && lines_of[ring.first] == 1;
+    for (std::size_t k = 0; is_whole && k + 1 < ring.count; ++k) {
+      const std::size_t s = ring.first + k;
+      is_whole = lines_of[s + 1] == 1 && place[s + 1] == place[s] + 1 &&
+                 drawing.segments[place[s]].b == drawing.segments[place[s + 1]].a;
+    }
+    if (!is_whole) continue;
+    const std::size_t first = place[ring.first], last = place[ring.first + ring.count - 1];
+    const bool was_closed = input_.segments[ring.first].a ==
+                            input_.segments[ring.first + ring.count - 1].b;
+    if (was_closed && !(drawing.segments[first].a == drawing.segments[last].b)) continue;
+    drawing.rings.push_back({static_cast<std::uint32_t>(first), ring.count, ring.role});
+  }
+}
+
 SegmentSet Work::drawing() const {
   SegmentSet result;
   const SourceId source = result.add_source({});
-  for (const LineId id : lines()) {
+  const std::vector<LineId> order = lines();
+  for (const LineId id : order) {
     if (id < first_made()) {
       const auto n = input_.segments.numbers(id);
       result.add({n[0], n[1]}, {n[2], n[3]}, source);
     } else {
-      result.add(Segment{made_[id - first_made()].a, made_[id - first_made()].b}, source);
+      result.add(directed(made_[id - first_made()]), source);
     }
   }
   ensure(result.rejected.empty(), "lines under repair have a length");
+  add_rings(result, order);
   return result;
 }
 
 void Work::write(Repair& result) const {
   result.edits = edits_;
+  const std::vector<LineId> order = lines();
+  SegmentSet drawing = this->drawing();
   SegmentSet& output = result.output = input_;
-  output.segments = {};
+  output.segments = std::move(drawing.segments);
+  output.rings = std::move(drawing.rings);
   output.segment_source.clear();
   output.rounding.clear();
-  output.rings.clear();
-  std::vector<LineId> order = lines();
-  std::ranges::stable_sort(
-      order, {}, [&](LineId id) { return is_virtual(id) ? SegmentId() : first_segment(id); });
   SourceId virtual_source;
   for (const LineId id : order) {
-    if (id < first_made()) {
-      const auto n = input_.segments.numbers(id);
-      output.segments.push_back({n[0], n[1]}, {n[2], n[3]});
-      output.segment_source.push_back(input_.segment_source[id]);
-      result.origins.push_back(std::vector<SegmentId>{SegmentId(static_cast<std::size_t>(id))});
-      continue;
-    }
-    const Line& line = made_[id - first_made()];
-    Segment segment{line.a, line.b};
-    if (line.segments.empty()) {
+    if (is_virtual(id)) {
       if (!virtual_source.valid()) {
         Source source;
         source.element = "line";
@@ -149,12 +178,9 @@ void Work::write(Repair& result) const {
       }
       output.segment_source.push_back(virtual_source);
     } else {
-      const Segment first = input_.segments[line.segments.front()];
-      if (first.b < first.a) std::swap(segment.a, segment.b);
-      output.segment_source.push_back(input_.segment_source[line.segments.front()]);
+      output.segment_source.push_back(input_.segment_source[first_segment(id)]);
     }
-    output.segments.push_back(std::move(segment));
-    result.origins.push_back(line.segments);
+    result.origins.push_back(line(id).segments);
   }
 }
 

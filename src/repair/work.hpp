@@ -18,7 +18,7 @@ class Work {
 
   const SegmentSet& input() const { return input_; }
   const std::vector<Edit>& edits() const { return edits_; }
-  /// All lines that there are, ascending.
+  /// All lines that there are, by the first of their segments.
   std::vector<LineId> lines() const;
   bool is_there(LineId id) const { return is_there_[id] != 0; }
   Line line(LineId id) const;
@@ -41,7 +41,8 @@ class Work {
   void apply(EditKind kind, Point where, Rational squared_size, const std::vector<LineId>& before,
              std::vector<Line> after);
 
-  /// The lines as a drawing of segments, in the order of `lines`.
+  /// The lines as a drawing of segments, in the order of `lines`, with the rings that are still
+  /// closed lines of a segment for each one that they had.
   SegmentSet drawing() const;
   /// The same as a result, with sources, and the direction that segments had.
   void write(Repair& result) const;
@@ -49,6 +50,9 @@ class Work {
  private:
   std::size_t first_made() const { return input_.segments.size(); }
   std::string layer(LineId id) const;
+  /// A made line in the direction of its first segment.
+  Segment directed(const Line& line) const;
+  void add_rings(SegmentSet& drawing, const std::vector<LineId>& order) const;
   SegmentId first_segment(LineId id) const;
 
   const SegmentSet& input_;
