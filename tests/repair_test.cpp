@@ -24,6 +24,12 @@ RepairOptions within(const std::string& weld, const std::string& grow, const std
   return options;
 }
 
+RepairOptions with_doors(const std::string& least, const std::string& most) {
+  RepairOptions options = within("0", "0", "0");
+  options.doors = Range{number(least), number(most)};
+  return options;
+}
+
 /// A drawing, and what is right.
 struct Case {
   std::string name, drawing, right;
@@ -53,6 +59,19 @@ std::vector<Case> cases() {
        "0 0 10 0  0 -4 10 -4  0 4 10 4  0 -4 0 4  10 -4 10 4  5 0.03 5 4  5.02 -0.03 5.02 -4",
        "0 0 10 0  0 -4 10 -4  0 4 10 4  0 -4 0 4  10 -4 10 4  5 0 5 4  5.02 0 5.02 -4",
        within("0", "0.1", "0.1")},
+      {"door between lines",
+       "0 0 12 0  12 0 12 6  12 6 0 6  0 6 0 0  6 0 6 2.5  6 3.4 6 6  6.6 3 8.5 3  9 0 9 1.5  "
+       "9 4.5 9 6",
+       "0 0 12 0  12 0 12 6  12 6 0 6  0 6 0 0  6 0 6 2.5  6 2.5 6 3.4  6 3.4 6 6  6.6 3 8.5 3  "
+       "9 0 9 1.5  9 4.5 9 6",
+       with_doors("0.6", "1.2")},
+      {"door between faces of walls",
+       "0 0 12 0  12 0 12 6  12 6 0 6  0 6 0 0  5.9 0 6.1 0  6.1 0 6.1 2.5  6.1 2.5 5.9 2.5  "
+       "5.9 2.5 5.9 0  5.9 3.4 6.1 3.4  6.1 3.4 6.1 6  6.1 6 5.9 6  5.9 6 5.9 3.4",
+       "0 0 12 0  12 0 12 6  12 6 0 6  0 6 0 0  5.9 0 6.1 0  6.1 0 6.1 2.5  6.1 2.5 5.9 2.5  "
+       "5.9 2.5 5.9 0  5.9 3.4 6.1 3.4  6.1 3.4 6.1 6  6.1 6 5.9 6  5.9 6 5.9 3.4  "
+       "5.9 2.5 5.9 3.4  6.1 2.5 6.1 3.4",
+       with_doors("0.6", "1.2")},
       {"doubled wall", "0 0 10 0  0 0.002 7 0.002  10 0 10 8  10 8 0 8  0 8 0 0  4 0.002 4 8",
        "0 0 10 0  10 0 10 8  10 8 0 8  0 8 0 0  4 0 4 8", within("0.01", "0", "0")},
       {"tree of dangles", box + "5 0 5 0.2  5 0.2 4.7 0.2  5 0.2 5 0.6", box + "5 0 5 0.6",

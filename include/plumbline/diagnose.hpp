@@ -76,6 +76,8 @@ struct Opening {
   double width = 0;                 ///< **Rounded**
   Rational squared_width;           ///< **exact**
   std::vector<VertexId> vertices;   ///< two tips, or the four corners
+  std::vector<Edge> across;         ///< from jamb to jamb: what would close it, of which two are
+                                    ///< parallel sides of a wall's opening
   std::vector<SegmentId> segments;  ///< those that end there, ascending
 };
 

@@ -112,7 +112,11 @@ Diagnosis diagnose(const SegmentSet& input, const ExactComplex& complex,
   defects.append(diagnose_steps::nearly_parallel_edges(subject));
   defects.append(diagnose_steps::invalid_rings(subject));
   const Range doors = options.doors.value_or(Range{side / kMostDoors, side / kLeastDoors});
-  result.openings = diagnose_steps::openings(subject, tips, doors);
+  std::vector<VertexId> dangling;
+  for (const diagnose_steps::Tip& tip : tips.tips) {
+    if (tip.kind == DefectKind::Dangle) dangling.push_back(tip.vertex);
+  }
+  result.openings = diagnose_steps::openings(subject.graph, dangling, doors);
   result.shared_sides = repetitions(input, complex).shared_sides;
   result.found = defects.found();
   result.cut_short = defects.cut_short();

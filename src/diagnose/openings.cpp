@@ -30,16 +30,15 @@ struct Jamb {
 
 class Openings {
  public:
-  Openings(const Subject& subject, const Tips& tips, const Rational& least, const Rational& most)
-      : graph_(subject.graph),
-        complex_(subject.graph.complex()),
+  Openings(const LineGraph& graph, std::span<const VertexId> loose_ends, const Rational& least,
+           const Rational& most)
+      : graph_(graph),
+        complex_(graph.complex()),
         squared_least_(least * least),
         squared_most_(most * most),
         squared_slack_(rational_from(graph_.slack()) * rational_from(graph_.slack())),
         reach_(nearest_double(most)) {
-    for (const Tip& tip : tips.tips) {
-      if (tip.kind == DefectKind::Dangle) add_tip(tip.vertex);
-    }
+    for (const VertexId v : loose_ends) add_tip(v);
     for (std::size_t e = 0; e < complex_.edge_count(); ++e) add_edge(EdgeId(e));
   }
 
@@ -140,6 +139,14 @@ class Openings {
     return (is_ahead(i.a, j.a) && is_ahead(i.b, j.b)) || (is_ahead(i.a, j.b) && is_ahead(i.b, j.a));
   }
 
+  /// The ends of j that are straight ahead of i.a and of i.b.
+  std::pair<VertexId, VertexId> facing(const Jamb& i, const Jamb& j) const {
+    if (squared_distance(at(i.a), at(j.a)) <= squared_distance(at(i.a), at(j.b))) {
+      return {j.a, j.b};
+    }
+    return {j.b, j.a};
+  }
+
   /// Whether no edge meets what lies between them.
   bool is_clear(const Jamb& i, const Jamb& j) {
     if (!edge_tree_) {
@@ -153,9 +160,7 @@ class Openings {
     const std::array corners{graph_.rounded(i.a), graph_.rounded(i.b), graph_.rounded(j.a),
                              graph_.rounded(j.b)};
     const Point from = midpoint(at(i.a), at(i.b)), to = midpoint(at(j.a), at(j.b));
-    const bool is_straight =
-        squared_distance(at(i.a), at(j.a)) <= squared_distance(at(i.a), at(j.b));
-    const VertexId ja = is_straight ? j.a : j.b, jb = is_straight ? j.b : j.a;
+    const auto [ja, jb] = facing(i, j);
     for (const std::size_t k : edge_tree_->meeting(plumbline::box_of(corners))) {
       const Edge& edge = complex_.edges[k];
       if (EdgeId(k) == i.edge || EdgeId(k) == j.edge) continue;
@@ -184,6 +189,9 @@ class Openings {
     std::sort(result.vertices.begin(), result.vertices.end());
     result.vertices.erase(std::unique(result.vertices.begin(), result.vertices.end()),
                           result.vertices.end());
+    const auto [ja, jb] = facing(i, j);
+    result.across.push_back({std::min(i.a, ja), std::max(i.a, ja)});
+    if (i.a != i.b) result.across.push_back({std::min(i.b, jb), std::max(i.b, jb)});
     result.segments = graph_.segments(std::array{i.edge, j.edge});
     return result;
   }
@@ -198,8 +206,9 @@ class Openings {
 
 }  // namespace
 
-std::vector<Opening> openings(const Subject& subject, const Tips& tips, const Range& doors) {
-  return Openings(subject, tips, doors.least, doors.most).find();
+std::vector<Opening> openings(const LineGraph& graph, std::span<const VertexId> loose_ends,
+                              const Range& doors) {
+  return Openings(graph, loose_ends, doors.least, doors.most).find();
 }
 
 }  // namespace plumbline::diagnose_steps

@@ -82,7 +82,8 @@ Defects slivers(const Subject& subject);
 Defects short_edges(const Subject& subject);
 Defects nearly_parallel_edges(const Subject& subject);
 Defects invalid_rings(const Subject& subject);
-std::vector<Opening> openings(const Subject& subject, const Tips& tips, const Range& doors);
+std::vector<Opening> openings(const LineGraph& graph, std::span<const VertexId> loose_ends,
+                              const Range& doors);
 /// One sentence on a defect whose other members are there; of a Dangle whether its line is the rest
 /// of one that crosses others.
 std::string describe(const Subject& subject, const Defect& defect);

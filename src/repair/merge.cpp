@@ -18,7 +18,8 @@ void merge(Work& work, const Arranged& arranged) {
       for (std::size_t j = 0; j < i; ++j) {
         const std::size_t p = sources[e][i], q = sources[e][j];
         if (sets.find(p) == sets.find(q) || are_neighbours((*sides)[p], (*sides)[q])) continue;
-        if (work.is_anchored(arranged.line_of[p]) || work.is_anchored(arranged.line_of[q])) continue;
+        if (work.is_anchored(arranged.line_of[p]) || work.is_anchored(arranged.line_of[q]))
+          continue;
         sets.unite(p, q);
         found = true;
       }

@@ -35,7 +35,7 @@ void weld_and_merge(Work& work, Arranged& now, const Rational& distance) {
 }
 
 /// All steps, one after the other.
-void repair_once(Work& work, const Tolerances& tolerances) {
+void repair_once(Work& work, const Tolerances& tolerances, const RepairOptions& options) {
   const std::size_t first_edit = work.edits().size();
   Arranged now = arranged(work);
   auto arrange_anew = [&, edits = first_edit]() mutable {
@@ -50,6 +50,8 @@ void repair_once(Work& work, const Tolerances& tolerances) {
   arrange_anew();
   if (sgn(tolerances.trim) > 0) trim(work, now, tolerances.trim);
   arrange_anew();
+  if (tolerances.doors) close_doors(work, *tolerances.doors, options.walls);
+  arrange_anew();
   dissolve(work, now, first_edit);
 }
 
@@ -61,7 +63,7 @@ Repair repair(const SegmentSet& input, const RepairOptions& options) {
   Work work(input, result.anchored);
   for (std::size_t round = 0; round < kMostRounds; ++round) {
     const std::size_t edits = work.edits().size();
-    repair_once(work, result.tolerances);
+    repair_once(work, result.tolerances, options);
     if (work.edits().size() == edits) break;
   }
   work.write(result);

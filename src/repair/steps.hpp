@@ -17,6 +17,9 @@ void weld(Work& work, const Arranged& arranged, const Rational& distance);
 void grow(Work& work, const Arranged& arranged, const Rational& reach);
 /// Loose chains go, those of the smallest reach first.
 void trim(Work& work, const Arranged& arranged, const Rational& reach);
+/// Openings between lines of these layers (patterns; none: of all) that are as wide as a door are
+/// closed by virtual lines, where that parts two faces.
+void close_doors(Work& work, const Range& doors, const std::vector<std::string>& wall_layers);
 /// Where edits since `first_edit` have left two lines end to end on one line, these become one.
 void dissolve(Work& work, const Arranged& arranged, std::size_t first_edit);
 

@@ -20,9 +20,8 @@ std::vector<LineId> Work::lines() const {
   for (std::size_t i = 0; i < is_there_.size(); ++i) {
     if (is_there_[i] != 0) result.emplace_back(i);
   }
-  std::ranges::stable_sort(result, {}, [&](LineId id) {
-    return is_virtual(id) ? SegmentId() : first_segment(id);
-  });
+  std::ranges::stable_sort(
+      result, {}, [&](LineId id) { return is_virtual(id) ? SegmentId() : first_segment(id); });
   return result;
 }
 
@@ -134,17 +133,16 @@ void Work::add_rings(SegmentSet& drawing, const std::vector<LineId>& order) cons
     }
     if (!is_whole) continue;
     const std::size_t first = place[ring.first], last = place[ring.first + ring.count - 1];
-    const bool was_closed = input_.segments[ring.first].a ==
-                            input_.segments[ring.first + ring.count - 1].b;
+    const bool was_closed =
+        input_.segments[ring.first].a == input_.segments[ring.first + ring.count - 1].b;
     if (was_closed && !(drawing.segments[first].a == drawing.segments[last].b)) continue;
     drawing.rings.push_back({static_cast<std::uint32_t>(first), ring.count, ring.role});
   }
 }
 
-SegmentSet Work::drawing() const {
+SegmentSet Work::drawing(const std::vector<LineId>& order) const {
   SegmentSet result;
   const SourceId source = result.add_source({});
-  const std::vector<LineId> order = lines();
   for (const LineId id : order) {
     if (id < first_made()) {
       const auto n = input_.segments.numbers(id);
@@ -161,7 +159,7 @@ SegmentSet Work::drawing() const {
 void Work::write(Repair& result) const {
   result.edits = edits_;
   const std::vector<LineId> order = lines();
-  SegmentSet drawing = this->drawing();
+  SegmentSet drawing = this->drawing(order);
   SegmentSet& output = result.output = input_;
   output.segments = std::move(drawing.segments);
   output.rings = std::move(drawing.rings);

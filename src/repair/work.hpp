@@ -26,6 +26,7 @@ class Work {
   bool is_anchored(LineId id) const;
   /// Whether they belong together on one layer.
   bool is_same_layer(LineId id, LineId other) const { return layer(id) == layer(other); }
+  std::string layer(LineId id) const;
   bool is_virtual(LineId id) const {
     return id >= first_made() && made_[id - first_made()].segments.empty();
   }
@@ -43,13 +44,14 @@ class Work {
 
   /// The lines as a drawing of segments, in the order of `lines`, with the rings that are still
   /// closed lines of a segment for each one that they had.
-  SegmentSet drawing() const;
-  /// The same as a result, with sources, and the direction that segments had.
+  SegmentSet drawing() const { return drawing(lines()); }
+  /// The same of some lines.
+  SegmentSet drawing(const std::vector<LineId>& order) const;
+  /// All of them as a result, with sources, and the direction that segments had.
   void write(Repair& result) const;
 
  private:
   std::size_t first_made() const { return input_.segments.size(); }
-  std::string layer(LineId id) const;
   /// A made line in the direction of its first segment.
   Segment directed(const Line& line) const;
   void add_rings(SegmentSet& drawing, const std::vector<LineId>& order) const;
