@@ -50,6 +50,10 @@ void repair_once(Work& work, const Tolerances& tolerances, const RepairOptions& 
   arrange_anew();
   if (sgn(tolerances.trim) > 0) trim(work, now, tolerances.trim);
   arrange_anew();
+  if (sgn(tolerances.sliver) > 0) {
+    give_slivers(work, now, tolerances.sliver);
+    arrange_anew();
+  }
   if (tolerances.doors) close_doors(work, *tolerances.doors, options.walls);
   arrange_anew();
   dissolve(work, now, first_edit);

@@ -17,6 +17,9 @@ void weld(Work& work, const Arranged& arranged, const Rational& distance);
 void grow(Work& work, const Arranged& arranged, const Rational& reach);
 /// Loose chains go, those of the smallest reach first.
 void trim(Work& work, const Arranged& arranged, const Rational& reach);
+/// Faces no wider than that go to a neighbour: the longest chain of their border that parts them
+/// from one goes. To be repeated until nothing changes.
+void give_slivers(Work& work, const Arranged& arranged, const Rational& distance);
 /// Openings between lines of these layers (patterns; none: of all) that are as wide as a door are
 /// closed by virtual lines, where that parts two faces.
 void close_doors(Work& work, const Range& doors, const std::vector<std::string>& wall_layers);

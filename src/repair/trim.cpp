@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "repair/cut.hpp"
 #include "repair/steps.hpp"
 
 namespace plumbline::repair_steps {
@@ -113,14 +114,9 @@ class Trimming {
       if (reach > squared_reach_) return;
       v = graph_.other_end(e, v);
     }
-    if (std::ranges::any_of(loose.edges, [&](EdgeId e) { return is_anchored(e); })) return;
+    if (is_anchored(work_, arranged_, loose.edges)) return;
     by_reach_[reach].insert(tip);
     reach_of_[tip] = std::move(reach);
-  }
-
-  bool is_anchored(EdgeId e) const {
-    return std::ranges::any_of(arranged_.lines(e),
-                               [&](LineId id) { return work_.is_anchored(id); });
   }
 
   /// A junction that has lost edges: what ended there may lead on, or end now.
@@ -141,37 +137,10 @@ class Trimming {
     }
   }
 
-  /// Takes the edges of a chain away from the lines that cover them. Those are at the ends of their
-  /// lines: whatever is beyond them on a line has gone before.
   void remove(const Loose& loose, const Rational& squared_size) {
-    std::vector<LineId> before;
-    std::vector<Line> after;  // of the same positions
-    for (const EdgeId e : loose.edges) {
-      graph_.remove(e);
-      const Point tail = complex_.vertices[complex_.edges[e].tail];
-      const Point head = complex_.vertices[complex_.edges[e].head];
-      for (const LineId covering : arranged_.lines(e)) {
-        const LineId id = work_.piece(covering, tail, head);
-        const auto known = std::ranges::find(before, id);
-        Line* left = nullptr;
-        if (known != before.end()) {
-          left = &after[static_cast<std::size_t>(known - before.begin())];
-        } else {
-          before.push_back(id);
-          after.push_back(work_.line(id));
-          left = &after.back();
-        }
-        if (left->a == tail) {
-          left->a = head;
-        } else {
-          ensure(left->b == head, "a loose chain leaves no gaps in lines");
-          left->b = tail;
-        }
-      }
-    }
-    std::erase_if(after, [](const Line& line) { return line.a == line.b; });
-    work_.apply(EditKind::Trim, complex_.vertices[loose.junction], squared_size, before,
-                std::move(after));
+    for (const EdgeId e : loose.edges) graph_.remove(e);
+    cut(work_, arranged_, loose.edges, EditKind::Trim, complex_.vertices[loose.junction],
+        squared_size);
   }
 
   Work& work_;

@@ -1,0 +1,197 @@
+// A sliver is a bounded face whose border falls into two parts, each within the distance of the
+// other one: a chain that parts it from one neighbour, and the rest. Without the chain it belongs
+// to that neighbour.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "diagnose/line_graph.hpp"
+#include "geometry/point_d.hpp"
+#include "repair/cut.hpp"
+#include "repair/steps.hpp"
+
+namespace plumbline::repair_steps {
+namespace {
+
+/// A chain of a face's border between two junctions.
+struct Chain {
+  std::vector<EdgeId> edges;
+  FaceId neighbour;
+};
+
+/// What would make a sliver part of its neighbour.
+struct Gift {
+  FaceId face, neighbour;
+  Rational area;
+  Rational squared_size;
+  std::vector<EdgeId> edges;
+};
+
+/// Digits, in bits, to which lengths are compared: sums of square roots of rational numbers. What
+/// does not differ within them is of one length.
+constexpr unsigned kLengthBits = 512;
+
+class Slivers {
+ public:
+  Slivers(const Work& work, const Arranged& arranged, const Rational& distance)
+      : work_(work),
+        arranged_(arranged),
+        complex_(arranged.complex),
+        graph_(arranged.complex),
+        squared_distance_(distance * distance),
+        reach_(nearest_double(distance) * (1 + 0x1p-30) + graph_.slack()) {}
+
+  /// For each sliver what is to go, the smallest first; each face is part of one at most.
+  std::vector<Gift> find() const {
+    std::vector<Gift> all;
+    for (std::size_t f = 1; f < complex_.face_count(); ++f) {
+      if (std::optional<Gift> gift = gift_of(FaceId(f))) all.push_back(std::move(*gift));
+    }
+    std::ranges::sort(all, [](const Gift& g, const Gift& h) {
+      const int by_area = cmp(g.area, h.area);
+      return by_area != 0 ? by_area < 0 : g.face < h.face;
+    });
+    std::vector<Gift> result;
+    std::set<FaceId> taken;
+    for (Gift& gift : all) {
+      if (taken.contains(gift.face) || taken.contains(gift.neighbour)) continue;
+      taken.insert(gift.face);
+      taken.insert(gift.neighbour);
+      result.push_back(std::move(gift));
+    }
+    return result;
+  }
+
+ private:
+  std::optional<Gift> gift_of(FaceId f) const {
+    if (complex_.face_holes[f].size() != 0) return std::nullopt;
+    const auto border = complex_.cycles[complex_.face_outer[f]];
+    if (!may_be_thin(border)) return std::nullopt;
+    const std::vector<Chain> chains = chains_of(border);
+    if (chains.size() < 2) return std::nullopt;
+    const Chain* best = nullptr;
+    Rational squared_size;
+    for (const Chain& chain : chains) {
+      if (chain.neighbour == kUnbounded || chain.neighbour == f) continue;
+      if (is_anchored(work_, arranged_, chain.edges)) continue;
+      if (best != nullptr && compare_lengths(chain, *best) <= 0) continue;
+      const std::optional<Rational> size = squared_width(chain, border);
+      if (!size) continue;
+      best = &chain;
+      squared_size = *size;
+    }
+    if (best == nullptr) return std::nullopt;
+    return Gift{f, best->neighbour, face_area(complex_, f), squared_size, best->edges};
+  }
+
+  /// In doubles: a sliver's area is less than that of a strip as wide along half of its border.
+  bool may_be_thin(std::span<const HalfedgeId> border) const {
+    const PointD& origin = graph_.rounded(complex_.origin(border.front()));
+    double twice_area = 0, length = 0;
+    for (const HalfedgeId h : border) {
+      const PointD &p = graph_.rounded(complex_.origin(h)), &q = graph_.rounded(complex_.target(h));
+      twice_area += (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
+      length += distance(p, q);
+    }
+    return twice_area <= 2 * length * reach_ * (1 + 0x1p-20);
+  }
+
+  /// Ordered as they are met, from the first junction on.
+  std::vector<Chain> chains_of(std::span<const HalfedgeId> border) const {
+    std::size_t first = 0;
+    while (first < border.size() && !is_junction(border[first])) ++first;
+    std::vector<Chain> chains;
+    if (first == border.size()) return chains;
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const HalfedgeId h = border[(first + i) % border.size()];
+      if (is_junction(h)) chains.push_back({{}, complex_.halfedge_face[twin(h)]});
+      chains.back().edges.push_back(edge_of(h));
+    }
+    return chains;
+  }
+  bool is_junction(HalfedgeId h) const { return graph_.degree(complex_.origin(h)) > 2; }
+
+  int compare_lengths(const Chain& c, const Chain& d) const {
+    mpf_class difference(0, kLengthBits);
+    mpf_class scale(0, kLengthBits);
+    for (const auto& [chain, sign] : {std::pair(&c, 1), std::pair(&d, -1)}) {
+      for (const EdgeId e : chain->edges) {
+        const mpf_class square(graph_.squared_length(e), kLengthBits);
+        const mpf_class root = sqrt(square);
+        difference += sign * root;
+        scale += root;
+      }
+    }
+    mpf_class least = scale;
+    mpf_div_2exp(least.get_mpf_t(), least.get_mpf_t(), kLengthBits / 2);
+    return abs(difference) <= least ? 0 : sgn(difference);
+  }
+
+  /// The larger of how far the vertices of the chain are from the rest of the border, and those of
+  /// the rest from the chain; none where that is beyond the distance.
+  std::optional<Rational> squared_width(const Chain& chain,
+                                        std::span<const HalfedgeId> border) const {
+    std::vector<EdgeId> rest;
+    for (const HalfedgeId h : border) {
+      if (!std::ranges::count(chain.edges, edge_of(h))) rest.push_back(edge_of(h));
+    }
+    const std::optional<Rational> there = squared_distance_from(chain.edges, rest);
+    const std::optional<Rational> back =
+        there ? squared_distance_from(rest, chain.edges) : std::nullopt;
+    return back ? std::optional(std::max(*there, *back)) : std::nullopt;
+  }
+
+  /// The largest of the ends of some edges from the nearest of others.
+  std::optional<Rational> squared_distance_from(const std::vector<EdgeId>& edges,
+                                                const std::vector<EdgeId>& others) const {
+    Rational result = 0;
+    for (const EdgeId e : edges) {
+      for (const VertexId v : {complex_.edges[e].tail, complex_.edges[e].head}) {
+        const std::optional<Rational> found = squared_distance_from(v, others);
+        if (!found) return std::nullopt;
+        result = std::max(result, *found);
+      }
+    }
+    return result;
+  }
+
+  /// None where it is beyond the distance.
+  std::optional<Rational> squared_distance_from(VertexId v,
+                                                const std::vector<EdgeId>& edges) const {
+    std::optional<Rational> result;
+    const PointD& rounded = graph_.rounded(v);
+    for (const EdgeId e : edges) {
+      const Edge& edge = complex_.edges[e];
+      if (edge.tail == v || edge.head == v) return Rational(0);
+      const std::array ends{graph_.rounded(edge.tail), graph_.rounded(edge.head)};
+      const BoxD box = grown(box_of(ends), reach_);
+      if (rounded.x < box.low.x || rounded.y < box.low.y || rounded.x > box.high.x ||
+          rounded.y > box.high.y) {
+        continue;
+      }
+      Rational found = squared_distance(complex_.vertices[v], complex_.vertices[edge.tail],
+                                        complex_.vertices[edge.head]);
+      if (found <= squared_distance_ && (!result || found < *result)) result = std::move(found);
+    }
+    return result;
+  }
+
+  const Work& work_;
+  const Arranged& arranged_;
+  const ExactComplex& complex_;
+  diagnose_steps::LineGraph graph_;
+  Rational squared_distance_;
+  double reach_;
+};
+
+}  // namespace
+
+void give_slivers(Work& work, const Arranged& arranged, const Rational& distance) {
+  for (const Gift& gift : Slivers(work, arranged, distance).find()) {
+    const Point where = interior_point(arranged.complex, gift.face);
+    cut(work, arranged, gift.edges, EditKind::Sliver, where, gift.squared_size);
+  }
+}
+
+}  // namespace plumbline::repair_steps
