@@ -182,7 +182,9 @@ class SegmentSet {
   std::vector<Replacement> ledger;
   std::string crs;  ///< name of the coordinates' reference system, where the files have one
   std::optional<LengthUnit> unit;  ///< where the files say it
-  bool y_up = false;               ///< whether y runs upwards, in pictures; it does not in SVG
+  /// What the last decimal of most numbers of the files is worth, **rounded**; 0: not known.
+  double authored_unit = 0;
+  bool y_up = false;  ///< whether y runs upwards, in pictures; it does not in SVG
 
   /// Adds a file name, returns its index.
   std::uint32_t add_file(std::string name);

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/authored_unit.hpp"
 #include "number/short_decimal.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/structure.hpp"
@@ -58,7 +59,10 @@ class Evaluation {
       result_.ledger.push_back(std::move(replaced));
     }
   }
-  SegmentSet segments() && { return std::move(result_); }
+  SegmentSet segments() && {
+    result_.authored_unit = unit_.unit();
+    return std::move(result_);
+  }
   /// Of what `segments` gives.
   PlacedCurves curves() const {
     std::vector<double> rounding = result_.rounding;
@@ -148,6 +152,7 @@ class Evaluation {
       budget_.spend(words(a) + words(b));
       add(std::move(a), std::move(b), source);
       if (result_.segments.size() == before) continue;
+      for (const Number& number : numbers) unit_.add(number, rounding_->scale());
       note_rounding(
           std::max(rounding_->of(numbers[0], numbers[1]), rounding_->of(numbers[2], numbers[3])));
     }
@@ -218,6 +223,9 @@ class Evaluation {
     for (std::size_t v = 0; v < model.vertex_count(); ++v) {
       images_.push_back(map({model.vertex(v)[0], model.vertex(v)[1]}));
     }
+    for (std::size_t v = 0; v < model.vertex_count(); ++v) {
+      for (const std::size_t axis : {0, 1}) unit_.add(model.vertex(v)[axis], rounding_->scale());
+    }
     const auto rounding = [&](std::uint32_t v) {
       return rounding_->of(model.vertex(v)[0], model.vertex(v)[1]);
     };
@@ -249,6 +257,7 @@ class Evaluation {
   std::vector<std::uint32_t> places_;  ///< of the current Model's segments in the result
   std::vector<Curve> curves_;
   std::optional<MapRounding> rounding_;  ///< of the current model
+  AuthoredUnit unit_;
   WordBudget budget_;
   CountBudget segments_;
 };

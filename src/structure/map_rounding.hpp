@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "plumbline/structure.hpp"
 
 namespace plumbline {
@@ -18,6 +20,8 @@ class MapRounding {
   double of(const Number& x, const Number& y) const;
   /// No point of the plane is moved further from another one by the map than so many times.
   double stretch() const { return stretch_; }
+  /// How much larger the map makes lengths; of one that is no similarity, on average.
+  double scale() const { return stretch_ / std::numbers::sqrt2; }
 
  private:
   double stretch_ = 0;
