@@ -13,7 +13,8 @@ void AuthoredUnit::add(const Number& number, double scale) {
     last_scale_ = scale;
   }
   ++last_->all;
-  ++last_->count[static_cast<std::size_t>(number.digits())];
+  const bool is_half = number.digits() > 0 && number.mantissa() % 10 % 5 == 0;
+  ++(is_half ? last_->halves : last_->count)[static_cast<std::size_t>(number.digits())];
 }
 
 double AuthoredUnit::unit() const {
@@ -26,8 +27,13 @@ double AuthoredUnit::unit() const {
   }
   if (most == nullptr) return 0;
   constexpr std::size_t kPart = 100;
+  const auto is_used = [&](int digits) {
+    const auto i = static_cast<std::size_t>(digits);
+    const bool has_others = 2 * most->count[i] >= most->halves[i];
+    return has_others && (most->count[i] + most->halves[i]) * kPart >= most->all;
+  };
   int digits = Number::kMaxDigits;
-  while (digits > 0 && most->count[static_cast<std::size_t>(digits)] * kPart < most->all) --digits;
+  while (digits > 0 && !is_used(digits)) --digits;
   return scale * std::pow(10.0, -digits);
 }
 

@@ -10,7 +10,8 @@ namespace plumbline {
 
 /// Counts the decimals of numbers to tell the unit in which a drawing was made: what the last
 /// decimal is worth that one in a hundred numbers has, of those that are scaled alike, as most are.
-/// Long numbers, which programs print, tell nothing.
+/// Long numbers, which programs print, tell nothing; decimals that are 5 where they are the last
+/// one come of halving and do not count.
 class AuthoredUnit {
  public:
   AuthoredUnit() = default;
@@ -25,7 +26,8 @@ class AuthoredUnit {
  private:
   struct Decimals {
     std::size_t all = 0;
-    std::array<std::size_t, Number::kMaxDigits + 1> count{};  ///< by number of decimals
+    /// By number of decimals, without those that end in 5, which are in `halves`.
+    std::array<std::size_t, Number::kMaxDigits + 1> count{}, halves{};
   };
   std::map<double, Decimals> by_scale_;
   double last_scale_ = 0;

@@ -10,8 +10,8 @@
 
 #include "geometry/box_tree.hpp"
 #include "plumbline/arrange.hpp"
+#include "repair/growths.hpp"
 #include "repair/steps.hpp"
-#include "repair/tips.hpp"
 
 namespace plumbline::repair_steps {
 namespace {
@@ -153,33 +153,47 @@ Line extended(Line line, const Point& p, const Point& q) {
 }
 
 /// Two lines on one line, each grown up to where they meet.
-void bridge(Work& work, const Tip& tip, const Tip& other, const Point& middle) {
-  const LineId p = work.ending_at(tip.line, tip.point), q = work.ending_at(other.line, other.point);
-  Line first = extended(work.line(p), tip.point, middle);
-  Line second = extended(work.line(q), other.point, middle);
+void bridge(Work& work, const Growth& growth) {
+  const LineId p = work.ending_at(growth.tip.line, growth.tip.point);
+  const LineId q = work.ending_at(growth.other->line, growth.other->point);
+  const Line first = extended(work.line(p), growth.tip.point, growth.end);
+  const Line second = extended(work.line(q), growth.other->point, growth.end);
   std::vector<Line> after = {first, second};
   if (work.is_same_layer(p, q)) after = {united(first, second)};
-  work.apply(EditKind::Bridge, std::min(tip.point, other.point),
-             squared_distance(tip.point, other.point), {p, q}, std::move(after));
+  work.apply(EditKind::Bridge, growth.tip.point, growth.squared_length, {p, q}, std::move(after));
 }
 
 }  // namespace
 
-void grow(Work& work, const Arranged& arranged, const Rational& reach) {
+std::vector<Growth> growths(const Work& work, const Arranged& arranged, const Rational& reach) {
+  std::vector<Growth> result;
   const std::vector<Tip> tips = growing_tips(work, arranged);
-  if (tips.empty()) return;
+  if (tips.empty()) return result;
   std::vector<std::optional<Point>> ends = Race(work, arranged, tips, reach).run();
   for (const auto& [t, u] : facing_pairs(tips)) {
     if (!ends[t] || !ends[u] || !(*ends[t] == *ends[u])) continue;
-    if (squared_distance(tips[t].point, tips[u].point) > reach * reach) continue;
-    bridge(work, tips[t], tips[u], *ends[t]);
+    Rational gap = squared_distance(tips[t].point, tips[u].point);
+    if (gap > reach * reach) continue;
+    result.push_back({tips[t], tips[u], *ends[t], std::move(gap)});
     ends[t] = ends[u] = std::nullopt;
   }
   for (std::size_t t = 0; t < tips.size(); ++t) {
     if (!ends[t]) continue;
-    const LineId id = work.ending_at(tips[t].line, tips[t].point);
-    work.apply(EditKind::Grow, tips[t].point, squared_distance(tips[t].point, *ends[t]), {id},
-               {extended(work.line(id), tips[t].point, *ends[t])});
+    result.push_back({tips[t], std::nullopt, *ends[t], squared_distance(tips[t].point, *ends[t])});
+  }
+  return result;
+}
+
+void grow(Work& work, const Arranged& arranged, const Rational& reach) {
+  for (const Growth& growth : growths(work, arranged, reach)) {
+    if (growth.other) {
+      bridge(work, growth);
+      continue;
+    }
+    const Tip& tip = growth.tip;
+    const LineId id = work.ending_at(tip.line, tip.point);
+    work.apply(EditKind::Grow, tip.point, growth.squared_length, {id},
+               {extended(work.line(id), tip.point, growth.end)});
   }
 }
 

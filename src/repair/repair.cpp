@@ -1,23 +1,12 @@
 #include "plumbline/repair.hpp"
 
 #include "plumbline/error.hpp"
-#include "repair/steps.hpp"
+#include "repair/tolerances.hpp"
 
 namespace plumbline {
 namespace {
 
 using namespace repair_steps;
-
-Tolerances chosen(const RepairOptions& options) {
-  Tolerances result{options.weld.value_or(0),
-                    options.grow.value_or(0),
-                    options.trim.value_or(0),
-                    options.sliver.value_or(0),
-                    options.snap,
-                    options.simplify,
-                    options.doors};
-  return result;
-}
 
 /// More often than any drawing needs.
 constexpr std::size_t kMostRounds = 100;
@@ -34,43 +23,72 @@ void weld_and_merge(Work& work, Arranged& now, const Rational& distance) {
   }
 }
 
-/// All steps, one after the other.
-void repair_once(Work& work, const Tolerances& tolerances, const RepairOptions& options) {
-  const std::size_t first_edit = work.edits().size();
-  Arranged now = arranged(work);
-  auto arrange_anew = [&, edits = first_edit]() mutable {
-    if (work.edits().size() == edits) return;
-    edits = work.edits().size();
-    now = arranged(work);
-  };
-  merge(work, now);
-  arrange_anew();
-  if (sgn(tolerances.weld) > 0) weld_and_merge(work, now, tolerances.weld);
-  if (sgn(tolerances.grow) > 0) grow(work, now, tolerances.grow);
-  arrange_anew();
-  if (sgn(tolerances.trim) > 0) trim(work, now, tolerances.trim);
-  arrange_anew();
-  if (sgn(tolerances.sliver) > 0) {
-    give_slivers(work, now, tolerances.sliver);
-    arrange_anew();
+/// The steps, one after the other, until a round of them finds nothing to do.
+class Repairing {
+ public:
+  Repairing(const SegmentSet& input, const RepairOptions& options, Repair& result)
+      : options_(options),
+        result_(result),
+        work_(input, result.anchored),
+        choice_(input, result.reasons) {}
+
+  void run() {
+    for (std::size_t round = 0; round < kMostRounds; ++round) {
+      const std::size_t edits = work_.edits().size();
+      run_once(round == 0);
+      if (work_.edits().size() == edits) break;
+    }
+    work_.write(result_);
   }
-  if (tolerances.doors) close_doors(work, *tolerances.doors, options.walls);
-  arrange_anew();
-  dissolve(work, now, first_edit);
-}
+
+ private:
+  void run_once(bool is_first) {
+    const std::size_t first_edit = work_.edits().size();
+    look_anew();
+    Tolerances& tolerances = result_.tolerances;
+    merge(work_, now_);
+    look_anew();
+    if (is_first) tolerances.weld = options_.weld ? *options_.weld : choice_.weld(work_, now_);
+    if (sgn(tolerances.weld) > 0) weld_and_merge(work_, now_, tolerances.weld);
+    look_anew();
+    if (is_first) tolerances.grow = options_.grow ? *options_.grow : choice_.grow(work_, now_);
+    if (sgn(tolerances.grow) > 0) grow(work_, now_, tolerances.grow);
+    look_anew();
+    if (is_first) tolerances.trim = options_.trim ? *options_.trim : choice_.trim(work_, now_);
+    if (sgn(tolerances.trim) > 0) trim(work_, now_, tolerances.trim);
+    look_anew();
+    if (is_first) {
+      tolerances.sliver = options_.sliver ? *options_.sliver : choice_.sliver(work_, now_);
+    }
+    if (sgn(tolerances.sliver) > 0) give_slivers(work_, now_, tolerances.sliver);
+    if (tolerances.doors) close_doors(work_, *tolerances.doors, options_.walls);
+    look_anew();
+    dissolve(work_, now_, first_edit);
+  }
+
+  /// Arranges the lines if they have changed.
+  void look_anew() {
+    if (looked_at_ == work_.edits().size()) return;
+    looked_at_ = work_.edits().size();
+    now_ = arranged(work_);
+  }
+
+  const RepairOptions& options_;
+  Repair& result_;
+  Work work_;
+  Choice choice_;
+  Arranged now_;
+  std::size_t looked_at_ = static_cast<std::size_t>(-1);  ///< edits of which `now_` knows
+};
 
 }  // namespace
 
 Repair repair(const SegmentSet& input, const RepairOptions& options) {
   Repair result;
-  result.tolerances = chosen(options);
-  Work work(input, result.anchored);
-  for (std::size_t round = 0; round < kMostRounds; ++round) {
-    const std::size_t edits = work.edits().size();
-    repair_once(work, result.tolerances, options);
-    if (work.edits().size() == edits) break;
-  }
-  work.write(result);
+  result.tolerances.snap = options.snap;
+  result.tolerances.simplify = options.simplify;
+  result.tolerances.doors = options.doors;
+  Repairing(input, options, result).run();
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "diagnose/line_graph.hpp"
 #include "geometry/point_d.hpp"
 #include "repair/cut.hpp"
+#include "repair/gifts.hpp"
 #include "repair/steps.hpp"
 
 namespace plumbline::repair_steps {
@@ -18,14 +19,6 @@ namespace {
 struct Chain {
   std::vector<EdgeId> edges;
   FaceId neighbour;
-};
-
-/// What would make a sliver part of its neighbour.
-struct Gift {
-  FaceId face, neighbour;
-  Rational area;
-  Rational squared_size;
-  std::vector<EdgeId> edges;
 };
 
 /// Digits, in bits, to which lengths are compared: sums of square roots of rational numbers. What
@@ -187,8 +180,12 @@ class Slivers {
 
 }  // namespace
 
+std::vector<Gift> gifts(const Work& work, const Arranged& arranged, const Rational& distance) {
+  return Slivers(work, arranged, distance).find();
+}
+
 void give_slivers(Work& work, const Arranged& arranged, const Rational& distance) {
-  for (const Gift& gift : Slivers(work, arranged, distance).find()) {
+  for (const Gift& gift : gifts(work, arranged, distance)) {
     const Point where = interior_point(arranged.complex, gift.face);
     cut(work, arranged, gift.edges, EditKind::Sliver, where, gift.squared_size);
   }

@@ -3,7 +3,7 @@
 #include "plumbline/repair.hpp"
 #include "repair/work.hpp"
 
-/// The steps of `repair`, in order. Each looks at the arrangement of the lines that there are, and
+/// The steps of `repair`. Each looks at the arrangement of the lines that there are, and
 /// makes its edits in an order that the geometry alone decides.
 namespace plumbline::repair_steps {
 
@@ -12,11 +12,19 @@ void merge(Work& work, const Arranged& arranged);
 /// Lines that hang together on one straight line go onto a stronger such line beside them, with all
 /// that meets them.
 void weld(Work& work, const Arranged& arranged, const Rational& distance);
+/// How far the lines that would go are from those that they would go onto, squared.
+std::vector<Rational> weld_offsets(Work& work, const Arranged& arranged, const Rational& distance);
 /// Loose ends run on, all at the same speed, each until it first meets the drawing or the track of
 /// another one that was there before: a bounded motorcycle graph (Eppstein, Erickson 1999).
 void grow(Work& work, const Arranged& arranged, const Rational& reach);
 /// Loose chains go, those of the smallest reach first.
 void trim(Work& work, const Arranged& arranged, const Rational& reach);
+/// Reaches, squared, of the loose chains that go past a junction which one of their lines crosses,
+/// and of the others.
+struct LooseReaches {
+  std::vector<Rational> past, others;
+};
+LooseReaches loose_reaches(Work& work, const Arranged& arranged, const Rational& most);
 /// Faces no wider than that go to a neighbour: the longest chain of their border that parts them
 /// from one goes. To be repeated until nothing changes.
 void give_slivers(Work& work, const Arranged& arranged, const Rational& distance);

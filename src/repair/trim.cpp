@@ -94,6 +94,17 @@ class Trimming {
     }
   }
 
+  LooseReaches reaches() const {
+    LooseReaches result;
+    for (std::size_t v = 0; v < complex_.vertices.size(); ++v) {
+      if (graph_.degree(VertexId(v)) != 1) continue;
+      const Loose loose = loose_at(VertexId(v));
+      const std::optional<Rational> reach = squared_reach(loose);
+      if (reach) (is_past(loose) ? result.past : result.others).push_back(*reach);
+    }
+    return result;
+  }
+
  private:
   Loose loose_at(VertexId tip) const {
     std::vector<EdgeId> edges = graph_.chain(tip);
@@ -102,21 +113,36 @@ class Trimming {
     return {tip, v, std::move(edges)};
   }
 
-  /// Puts the chain of a tip where its reach is, unless it is too long, a free piece, or anchored.
-  void add(VertexId tip) {
-    const Loose loose = loose_at(tip);
-    if (graph_.degree(loose.junction) < 3) return;
+  /// The squared reach of a chain; none for a free piece, what is anchored, and beyond the limit.
+  std::optional<Rational> squared_reach(const Loose& loose) const {
+    if (graph_.degree(loose.junction) < 3) return std::nullopt;
     const Point junction = complex_.vertices[loose.junction];
     Rational reach = 0;
-    VertexId v = tip;
+    VertexId v = loose.tip;
     for (const EdgeId e : loose.edges) {
       reach = std::max(reach, squared_distance(complex_.vertices[v], junction));
-      if (reach > squared_reach_) return;
+      if (reach > squared_reach_) return std::nullopt;
       v = graph_.other_end(e, v);
     }
-    if (is_anchored(work_, arranged_, loose.edges)) return;
-    by_reach_[reach].insert(tip);
-    reach_of_[tip] = std::move(reach);
+    if (is_anchored(work_, arranged_, loose.edges)) return std::nullopt;
+    return reach;
+  }
+
+  /// Puts the chain of a tip where its reach is.
+  void add(VertexId tip) {
+    std::optional<Rational> reach = squared_reach(loose_at(tip));
+    if (!reach) return;
+    by_reach_[*reach].insert(tip);
+    reach_of_[tip] = std::move(*reach);
+  }
+
+  /// Whether one of the chain's lines goes on beyond its junction.
+  bool is_past(const Loose& loose) const {
+    const Point junction = complex_.vertices[loose.junction];
+    return std::ranges::any_of(arranged_.lines(loose.edges.back()), [&](LineId id) {
+      const Line line = work_.line(id);
+      return line.a != junction && line.b != junction;
+    });
   }
 
   /// A junction that has lost edges: what ended there may lead on, or end now.
@@ -153,6 +179,10 @@ class Trimming {
 };
 
 }  // namespace
+
+LooseReaches loose_reaches(Work& work, const Arranged& arranged, const Rational& most) {
+  return Trimming(work, arranged, most).reaches();
+}
 
 void trim(Work& work, const Arranged& arranged, const Rational& reach) {
   Trimming(work, arranged, reach).run();

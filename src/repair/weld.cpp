@@ -47,6 +47,18 @@ class Welding {
     move_lines();
   }
 
+  std::vector<Rational> squared_offsets() {
+    choose();
+    std::vector<Rational> result;
+    for (std::size_t i = 0; i < onto_.size(); ++i) {
+      const Carrier& c = carrier(onto_[i]);
+      if (onto_[i] == i) continue;
+      result.push_back(
+          std::max(squared_distance_from(c, carrier(i).a), squared_distance_from(c, carrier(i).b)));
+    }
+    return result;
+  }
+
  private:
   const Carrier& carrier(std::size_t i) const { return all_.carriers[i]; }
 
@@ -214,6 +226,10 @@ class Welding {
 };
 
 }  // namespace
+
+std::vector<Rational> weld_offsets(Work& work, const Arranged& arranged, const Rational& distance) {
+  return Welding(work, arranged, distance).squared_offsets();
+}
 
 void weld(Work& work, const Arranged& arranged, const Rational& distance) {
   Welding(work, arranged, distance).run();
