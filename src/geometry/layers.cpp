@@ -29,28 +29,6 @@ std::string listed(const std::set<std::string>& names) {
   return text;
 }
 
-/// Per source whether it is on one of the layers.
-std::vector<bool> chosen_sources(const SegmentSet& set, const std::vector<std::string>& patterns) {
-  std::vector<bool> chosen;
-  std::vector<bool> used(patterns.size());
-  std::set<std::string> names;
-  for (std::size_t s = 0; s < set.sources.size(); ++s) {
-    const std::string layer = set.sources[s].layer;
-    if (!layer.empty()) names.insert(layer);
-    chosen.push_back(false);
-    for (std::size_t i = 0; i < patterns.size(); ++i) {
-      if (!is_layer(layer, patterns[i])) continue;
-      chosen.back() = used[i] = true;
-    }
-  }
-  const auto unused = std::find(used.begin(), used.end(), false);
-  if (unused == used.end()) return chosen;
-  throw Error(ErrorCode::BadInput,
-              "no layer of this name; there are " + (names.empty() ? "none" : listed(names)),
-              {set.files.empty() ? "" : set.files.front(), 0, 0},
-              patterns[static_cast<std::size_t>(unused - used.begin())]);
-}
-
 }  // namespace
 
 bool matches_pattern(std::string_view text, std::string_view pattern) {
@@ -88,8 +66,30 @@ bool is_layer(std::string_view layer, std::string_view pattern) {
   return matches_pattern(layer, pattern) || matches_pattern(own_layer_name(layer), pattern);
 }
 
+std::vector<bool> sources_on_layers(const SegmentSet& set,
+                                    const std::vector<std::string>& patterns) {
+  std::vector<bool> chosen;
+  std::vector<bool> used(patterns.size());
+  std::set<std::string> names;
+  for (std::size_t s = 0; s < set.sources.size(); ++s) {
+    const std::string layer = set.sources[s].layer;
+    if (!layer.empty()) names.insert(layer);
+    chosen.push_back(false);
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+      if (!is_layer(layer, patterns[i])) continue;
+      chosen.back() = used[i] = true;
+    }
+  }
+  const auto unused = std::find(used.begin(), used.end(), false);
+  if (unused == used.end()) return chosen;
+  throw Error(ErrorCode::BadInput,
+              "no layer of this name; there are " + (names.empty() ? "none" : listed(names)),
+              {set.files.empty() ? "" : set.files.front(), 0, 0},
+              patterns[static_cast<std::size_t>(unused - used.begin())]);
+}
+
 SegmentSet on_layers(SegmentSet set, const std::vector<std::string>& patterns) {
-  const std::vector<bool> chosen = chosen_sources(set, patterns);
+  const std::vector<bool> chosen = sources_on_layers(set, patterns);
   SegmentList segments;
   std::vector<SourceId> sources;
   std::vector<double> rounding;

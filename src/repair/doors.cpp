@@ -62,18 +62,17 @@ std::vector<char> parting(const ExactComplex& complex, std::size_t first_line,
   return result;
 }
 
-/// Lines that closed openings before are part of the walls.
-bool is_wall(const std::string& layer, const std::vector<std::string>& wall_layers) {
-  return wall_layers.empty() || layer == kVirtualLayer ||
-         std::ranges::any_of(wall_layers,
-                             [&](const std::string& pattern) { return is_layer(layer, pattern); });
-}
-
 }  // namespace
 
 void close_doors(Work& work, const Range& doors, const std::vector<std::string>& wall_layers) {
   std::vector<LineId> lines = work.lines();
-  std::erase_if(lines, [&](LineId id) { return !is_wall(work.layer(id), wall_layers); });
+  if (!wall_layers.empty()) {
+    const std::vector<bool> is_wall = sources_on_layers(work.input(), wall_layers);
+    std::erase_if(lines, [&](LineId id) {
+      // Lines that closed openings before are part of the walls.
+      return !work.is_virtual(id) && work.layer(id) != kVirtualLayer && !is_wall[work.source(id)];
+    });
+  }
   SegmentSet walls = work.drawing(lines);
   const std::vector<Closing> closings = closings_of(arrange(walls), doors);
   if (closings.empty()) return;

@@ -38,12 +38,14 @@ class Repairing {
       run_once(round == 0);
       if (work_.edits().size() == edits) break;
     }
+    if (sgn(result_.tolerances.grow) > 0) refuse_open_ends(work_, now_, result_.tolerances.grow);
     work_.write(result_);
   }
 
  private:
   void run_once(bool is_first) {
     const std::size_t first_edit = work_.edits().size();
+    work_.forget_refusals();
     look_anew();
     Tolerances& tolerances = result_.tolerances;
     merge(work_, now_);
@@ -52,7 +54,11 @@ class Repairing {
     if (sgn(tolerances.weld) > 0) weld_and_merge(work_, now_, tolerances.weld);
     look_anew();
     if (is_first) tolerances.grow = options_.grow ? *options_.grow : choice_.grow(work_, now_);
-    if (sgn(tolerances.grow) > 0) grow(work_, now_, tolerances.grow);
+    if (sgn(tolerances.grow) > 0) {
+      grow(work_, now_, tolerances.grow);
+      look_anew();
+      join_offset_ends(work_, now_, tolerances.grow);
+    }
     look_anew();
     if (is_first) tolerances.trim = options_.trim ? *options_.trim : choice_.trim(work_, now_);
     if (sgn(tolerances.trim) > 0) trim(work_, now_, tolerances.trim);
@@ -88,6 +94,7 @@ Repair repair(const SegmentSet& input, const RepairOptions& options) {
   result.tolerances.snap = options.snap;
   result.tolerances.simplify = options.simplify;
   result.tolerances.doors = options.doors;
+  result.anchored = anchored_segments(input, options);
   Repairing(input, options, result).run();
   return result;
 }

@@ -7,6 +7,9 @@
 /// makes its edits in an order that the geometry alone decides.
 namespace plumbline::repair_steps {
 
+/// The segments on layers of anchors and of excepted elements, ascending. Throws: Error BadInput
+/// for a layer or an id that there is not.
+std::vector<SegmentId> anchored_segments(const SegmentSet& input, const RepairOptions& options);
 /// Lines that share more than a point become one, but for common sides of neighbouring shapes.
 void merge(Work& work, const Arranged& arranged);
 /// Lines that hang together on one straight line go onto a stronger such line beside them, with all
@@ -19,6 +22,10 @@ std::vector<Rational> weld_offsets(Work& work, const Arranged& arranged, const R
 void grow(Work& work, const Arranged& arranged, const Rational& reach);
 /// Loose chains go, those of the smallest reach first.
 void trim(Work& work, const Arranged& arranged, const Rational& reach);
+/// Two loose ends near each other that face each other on parallel lines are joined.
+void join_offset_ends(Work& work, const Arranged& arranged, const Rational& reach);
+/// Says which loose ends are still there with something within reach that they do not lead to.
+void refuse_open_ends(Work& work, const Arranged& arranged, const Rational& reach);
 /// Reaches, squared, of the loose chains that go past a junction which one of their lines crosses,
 /// and of the others.
 struct LooseReaches {

@@ -55,7 +55,7 @@ SegmentId Work::first_segment(LineId id) const {
 
 std::string Work::layer(LineId id) const {
   if (is_virtual(id)) return kVirtualLayer;
-  return input_.sources[input_.segment_source[first_segment(id)]].layer;
+  return input_.sources[source(id)].layer;
 }
 
 std::vector<LineId> Work::pieces(LineId id) const {
@@ -104,6 +104,19 @@ void Work::apply(EditKind kind, Point where, Rational squared_size,
   }
   became_.push_back(std::move(made));
   edits_.push_back(std::move(edit));
+}
+
+void Work::refuse(EditKind kind, Point where, Rational squared_size, std::string reason,
+                  const std::vector<LineId>& lines) {
+  Refusal refusal{kind, std::move(where), std::move(squared_size), std::move(reason), {}};
+  for (const LineId id : lines) {
+    const std::vector<SegmentId> segments = line(id).segments;
+    refusal.segments.insert(refusal.segments.end(), segments.begin(), segments.end());
+  }
+  std::ranges::sort(refusal.segments);
+  const auto repeated = std::ranges::unique(refusal.segments);
+  refusal.segments.erase(repeated.begin(), repeated.end());
+  refused_.push_back(std::move(refusal));
 }
 
 Segment Work::directed(const Line& line) const {
@@ -158,6 +171,10 @@ SegmentSet Work::drawing(const std::vector<LineId>& order) const {
 
 void Work::write(Repair& result) const {
   result.edits = edits_;
+  result.refused = refused_;
+  std::ranges::stable_sort(result.refused, [](const Refusal& p, const Refusal& q) {
+    return p.kind != q.kind ? p.kind < q.kind : p.where < q.where;
+  });
   const std::vector<LineId> order = lines();
   SegmentSet drawing = this->drawing(order);
   SegmentSet& output = result.output = input_;
@@ -176,7 +193,7 @@ void Work::write(Repair& result) const {
       }
       output.segment_source.push_back(virtual_source);
     } else {
-      output.segment_source.push_back(input_.segment_source[first_segment(id)]);
+      output.segment_source.push_back(source(id));
     }
     result.origins.push_back(line(id).segments);
   }

@@ -30,6 +30,8 @@ class Work {
   bool is_virtual(LineId id) const {
     return id >= first_made() && made_[id - first_made()].segments.empty();
   }
+  /// Of its first segment. Requires: it is not virtual.
+  SourceId source(LineId id) const { return input_.segment_source[first_segment(id)]; }
   /// What became of a line that an edit took away: the pieces that there are now.
   std::vector<LineId> pieces(LineId id) const;
   /// The piece that has p and q, which the line had. Requires: there is one.
@@ -41,6 +43,11 @@ class Work {
   /// Requires: the lines are there and not anchored.
   void apply(EditKind kind, Point where, Rational squared_size, const std::vector<LineId>& before,
              std::vector<Line> after);
+
+  /// Notes what is not done.
+  void refuse(EditKind kind, Point where, Rational squared_size, std::string reason,
+              const std::vector<LineId>& lines);
+  void forget_refusals() { refused_.clear(); }
 
   /// The lines as a drawing of segments, in the order of `lines`, with the rings that are still
   /// closed lines of a segment for each one that they had.
@@ -64,6 +71,7 @@ class Work {
   std::vector<std::vector<LineId>> became_;  ///< per edit
   std::vector<std::uint32_t> taken_by_;      ///< per line, the edit that took it away
   std::vector<Edit> edits_;
+  std::vector<Refusal> refused_;
 };
 
 /// The shortest line that covers both, for all their segments. Requires: they are on one line.
