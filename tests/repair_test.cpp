@@ -5,6 +5,7 @@
 #include <random>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/read.hpp"
 #include "support/segments.hpp"
 
 using namespace plumbline;
@@ -178,4 +179,87 @@ TEST_CASE("order, direction and repetition of segments do not change what a repa
       CHECK(signature_of(repair(other, c.options).output) == expected);
     }
   }
+}
+
+TEST_CASE("a comb is left alone, and snapped by force it does not fall into one point") {
+  std::string text = "0 0 0.0099 0  0 0.05 0.0099 0.05  ";
+  for (int k = 0; k < 12; ++k) {
+    const std::string x = exact_text(Rational(9 * k, 10000));
+    text += x + " 0 " + x + " 0.05  ";
+  }
+  const SegmentSet comb = segments(text);
+  const Repair untouched = repair(comb);
+  CHECK(untouched.edits.empty());
+  CHECK(untouched.tolerances == Tolerances{});
+
+  RepairOptions forced = within("0", "0", "0");
+  forced.snap = number("0.001");
+  const Repair snapped = repair(comb, forced);
+  for (const Edit& edit : snapped.edits) {
+    CHECK(edit.squared_size <= forced.snap * forced.snap);
+  }
+  const ExactComplex complex = arrange(snapped.output);
+  CHECK(complex.face_count() == 6);
+  CHECK(feature_size(complex).squared_vertex_vertex > forced.snap * forced.snap);
+  CHECK(repair(snapped.output, forced).edits.empty());
+}
+
+TEST_CASE("vertices go where nothing moves further than the tolerance") {
+  const SegmentSet chain = segments("0 0 1 0.01  1 0.01 2 0  2 0 3 0.3  3 0.3 4 0");
+  RepairOptions options = within("0", "0", "0");
+  options.simplify = number("0.05");
+  const Repair simpler = repair(chain, options);
+  CHECK(signature_of(simpler.output) == signature_of(segments("0 0 2 0  2 0 3 0.3  3 0.3 4 0")));
+  // Something in the triangle holds a vertex.
+  const SegmentSet held = segments("0 0 1 0.01  1 0.01 2 0  1 0.005 1 0.004");
+  CHECK(repair(held, options).edits.empty());
+}
+
+TEST_CASE("ends on parallel lines are joined where each is the only one for the other") {
+  const SegmentSet offset = segments("0 0 5 0  5.02 0.03 10 0.03");
+  const Repair joined = repair(offset, within("0", "0.1", "0"));
+  REQUIRE(joined.edits.size() == 1);
+  CHECK(joined.edits.front().kind == EditKind::Joint);
+  CHECK(signature_of(joined.output) ==
+        signature_of(segments("0 0 5 0  5 0 5.02 0.03  5.02 0.03 10 0.03")));
+  const SegmentSet three = segments("0 0 5 0  5.02 0.03 10 0.03  5.02 -0.03 10 -0.03");
+  const Repair refused = repair(three, within("0", "0.1", "0"));
+  CHECK(refused.edits.empty());
+  REQUIRE(refused.refused.size() >= 2);
+  CHECK(refused.refused.back().kind == EditKind::Joint);
+}
+
+TEST_CASE("the flat keeps its rooms and its straight walls when doubled ones are welded") {
+  const SegmentSet flat = evaluate(read(std::string(PLUMBLINE_TEST_DATA) + "/apartment.svg"));
+  const auto large_faces = [](const ExactComplex& complex) {
+    std::size_t count = 0;
+    for (const Rational& area : face_areas(complex)) count += area > 100 ? 1 : 0;
+    return count;
+  };
+  const auto skewed_edges = [](const ExactComplex& complex) {
+    std::size_t count = 0;
+    for (const Edge& edge : complex.edges) {
+      const PointD p = complex.vertices.nearest(edge.tail), q = complex.vertices.nearest(edge.head);
+      const double x = std::abs(p.x - q.x), y = std::abs(p.y - q.y);
+      count += x > 0 && y > 0 && std::min(x, y) < 0.05 * std::max(x, y) ? 1 : 0;
+    }
+    return count;
+  };
+  const ExactComplex before = arrange(flat);
+  REQUIRE(before.face_count() == 221);
+  REQUIRE(large_faces(before) == 86);
+  REQUIRE(skewed_edges(before) == 24);
+
+  const RepairOptions options = within("0.018", "0", "0");
+  const Repair welded = repair(flat, options);
+  const ExactComplex after = arrange(welded.output);
+  CHECK(after.face_count() == 152);
+  CHECK(large_faces(after) == 86);
+  CHECK(skewed_edges(after) <= 24);
+  CHECK(repair(welded.output, options).edits.empty());
+
+  const Repair chosen = repair(flat);
+  CHECK(chosen.tolerances.weld >= number("0.018"));
+  CHECK(chosen.tolerances.weld < number("0.027"));
+  CHECK(large_faces(arrange(chosen.output)) == 86);
 }

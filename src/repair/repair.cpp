@@ -53,6 +53,8 @@ class Repairing {
     if (is_first) tolerances.weld = options_.weld ? *options_.weld : choice_.weld(work_, now_);
     if (sgn(tolerances.weld) > 0) weld_and_merge(work_, now_, tolerances.weld);
     look_anew();
+    if (sgn(tolerances.snap) > 0) snap(work_, now_, tolerances.snap);
+    look_anew();
     if (is_first) tolerances.grow = options_.grow ? *options_.grow : choice_.grow(work_, now_);
     if (sgn(tolerances.grow) > 0) {
       grow(work_, now_, tolerances.grow);
@@ -68,6 +70,8 @@ class Repairing {
     }
     if (sgn(tolerances.sliver) > 0) give_slivers(work_, now_, tolerances.sliver);
     if (tolerances.doors) close_doors(work_, *tolerances.doors, options_.walls);
+    look_anew();
+    if (sgn(tolerances.simplify) > 0) simplify(work_, now_, tolerances.simplify);
     look_anew();
     dissolve(work_, now_, first_edit);
   }

@@ -17,6 +17,10 @@ void merge(Work& work, const Arranged& arranged);
 void weld(Work& work, const Arranged& arranged, const Rational& distance);
 /// How far the lines that would go are from those that they would go onto, squared.
 std::vector<Rational> weld_offsets(Work& work, const Arranged& arranged, const Rational& distance);
+/// Vertices go to sites further apart than the distance, edges lead over the sites near them.
+void snap(Work& work, const Arranged& arranged, const Rational& distance);
+/// Vertices between two lines go. To be repeated until nothing changes.
+void simplify(Work& work, const Arranged& arranged, const Rational& distance);
 /// Loose ends run on, all at the same speed, each until it first meets the drawing or the track of
 /// another one that was there before: a bounded motorcycle graph (Eppstein, Erickson 1999).
 void grow(Work& work, const Arranged& arranged, const Rational& reach);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "repair/carriers.hpp"
+#include "repair/path.hpp"
 #include "repair/steps.hpp"
 
 namespace plumbline::repair_steps {
@@ -185,34 +186,12 @@ class Welding {
       const auto moved = image_.find(v);
       const Point& to = moved == image_.end() ? from : moved->second;
       squared_size = std::max(squared_size, squared_distance(from, to));
-      if (path.empty() || !(path.back() == to)) path.push_back(to);
+      path.push_back(to);
     }
     const Line line = work_.line(id);
-    std::vector<Line> after;
-    for (const auto& [p, q] : straightened(path)) after.push_back({p, q, line.segments});
-    if (after.size() == 1 && std::min(after[0].a, after[0].b) == line.a &&
-        std::max(after[0].a, after[0].b) == line.b) {
-      return;
-    }
+    std::vector<Line> after = lines_along(path, line.segments);
+    if (after.size() == 1 && after.front() == line) return;
     work_.apply(EditKind::Weld, line.a, squared_size, {id}, std::move(after));
-  }
-
-  /// The same path with as few segments as cover it.
-  static std::vector<std::pair<Point, Point>> straightened(const std::vector<Point>& path) {
-    std::vector<std::pair<Point, Point>> result;
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      if (!result.empty() && orientation(result.back().first, result.back().second, path[i]) == 0) {
-        auto& [p, q] = result.back();
-        const Point low = std::min({p, q, path[i]}), high = std::max({p, q, path[i]});
-        // It goes on from where the path is, or it turns back.
-        p = path[i] == high ? low : high;
-        q = path[i];
-        if (!(q == low) && !(q == high)) p = low, q = high;
-        continue;
-      }
-      result.emplace_back(path[i - 1], path[i]);
-    }
-    return result;
   }
 
   Work& work_;
