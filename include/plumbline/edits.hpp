@@ -120,4 +120,33 @@ struct Breach {
   friend bool operator==(const Breach&, const Breach&) = default;
 };
 
+/// A segment of the input, with all that the drawing says of it.
+struct SourcedSegment {
+  Segment segment;
+  Source source;     ///< its `file` is an index that says nothing here: see below
+  std::string file;  ///< its file's name
+
+  friend bool operator==(const SourcedSegment&, const SourcedSegment&) = default;
+};
+
+/// Segments of the input, and those of the output that they became together.
+struct NetChange {
+  std::vector<SourcedSegment> before;  ///< in the input's order; none: virtual lines were added
+  std::vector<Segment> after;          ///< in the output's order; none: they went
+
+  friend bool operator==(const NetChange&, const NetChange&) = default;
+};
+
+/// What a repair changed on the whole. Segments hang together by `origins`, those of the output
+/// also where their ends have the same nearest doubles. What was turned at most is in no change.
+/// Order: by the first segment of the input; virtual lines last.
+std::vector<NetChange> net_changes(const SegmentSet& input, const Repair& repair);
+
+/// The input again: what the changes say became of its segments is taken away from the output, and
+/// these are put back, behind all that stays. Segments of the output are known by the nearest
+/// doubles of their ends, in either direction, so the output may have been written with rounded
+/// coordinates. Rings are not restored. Throws: Error BadInput where the output has a segment of a
+/// change less or more often than the change says.
+SegmentSet undo(const SegmentSet& output, const std::vector<NetChange>& changes);
+
 }  // namespace plumbline
