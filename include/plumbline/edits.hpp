@@ -120,6 +120,28 @@ struct Breach {
   friend bool operator==(const Breach&, const Breach&) = default;
 };
 
+inline constexpr std::size_t kMaxBreaches = 100;
+
+/// What is not true of a repair, the first kMaxBreaches; none for one that keeps its promises: the
+/// edits, one after the other, make the output of the input; each does what its kind says, within
+/// the tolerances, to what is there at its time; anchored segments stay; what moves stays within
+/// bounds on the whole and meets nothing new; what became of the faces is as it says, and some edit
+/// did it that can. Shares nothing with what makes repairs. `before` and `after` are the
+/// arrangements of the input and of the output. **Exact**. Order: by promise; once an edit is wrong
+/// by itself, nothing is said of what comes of it. Cost: of what no edit touches, less than that of
+/// `arrange`.
+std::vector<Breach> verify(const SegmentSet& input, const ExactComplex& before,
+                           const Repair& repair, const ExactComplex& after);
+std::vector<Breach> verify(const SegmentSet& input, const Repair& repair);
+
+/// What became of each face that is not there as it was. The parent of a face is the one before
+/// that it has most of its area in common with (of several the first), the heir of a face the one
+/// after; both may be the unbounded face. `before` and `after` are the arrangements of the input
+/// and of the output. **Exact**. Order: by fate and place. Cost: linear, and the arrangement of the
+/// borders of faces whose border changed.
+std::vector<FaceOutcome> face_outcomes(const SegmentSet& input, const ExactComplex& before,
+                                       const Repair& repair, const ExactComplex& after);
+
 /// A segment of the input, with all that the drawing says of it.
 struct SourcedSegment {
   Segment segment;

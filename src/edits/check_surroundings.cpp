@@ -1,0 +1,151 @@
+// Additions start at loose ends, run over what is free and end on something; what is dissolved was
+// a meeting of nothing else; what is trimmed hung by its junction alone; a thin border went to one
+// that is near.
+
+#include <algorithm>
+#include <iterator>
+
+#include "edits/rules.hpp"
+#include "edits/steps.hpp"
+
+namespace plumbline::edits {
+namespace {
+
+bool grows(EditKind kind) {
+  return kind == EditKind::Grow || kind == EditKind::Bridge || kind == EditKind::Joint;
+}
+
+class Surroundings {
+ public:
+  Surroundings(const SegmentSet& input, const Repair& repair, const Replay& replay)
+      : edits_(repair.edits), drawing_(input, replay) {}
+
+  /// Loose ends grow at the same time: `start` is the state before all that grow together.
+  std::string wrong(std::size_t t, std::size_t start) const {
+    switch (edits_[t].kind) {
+      case EditKind::Grow:
+      case EditKind::Bridge:
+      case EditKind::Joint:
+        return wrong_growth(t, start);
+      case EditKind::Dissolve:
+        return wrong_dissolution(t);
+      case EditKind::Trim:
+        return wrong_trim(t);
+      case EditKind::Sliver:
+        return wrong_sliver(t);
+      default:
+        return "";
+    }
+  }
+
+ private:
+  /// Other lines than those of the edit, and parts of them, that have the point.
+  std::vector<Line> others_at(const Point& p, const Edit& edit, std::size_t first,
+                              std::size_t last) const {
+    std::vector<Line> result = drawing_.at(p, first, last);
+    std::erase_if(result, [&](const Line& line) { return is_own(line, edit); });
+    return result;
+  }
+
+  static bool is_own(const Line& line, const Edit& edit) {
+    return std::ranges::any_of(edit.before, [&](const Line& own) {
+      return share_segment(line.segments, own.segments) &&
+             is_collinear(extent_of(line), extent_of(own));
+    });
+  }
+
+  std::string wrong_growth(std::size_t t, std::size_t start) const {
+    const Edit& edit = edits_[t];
+    const std::vector<Segment> pieces = added(edit);
+    const std::vector<Segment> lines = extents_of(edit.before);
+    for (const Segment& piece : pieces) {
+      for (const Point& p : {piece.a, piece.b}) {
+        const bool is_loose_end = std::ranges::any_of(
+            lines, [&](const Segment& line) { return line.a == p || line.b == p; });
+        if (is_loose_end && !others_at(p, edit, start, start).empty()) {
+          return "starts at an end that is not loose";
+        }
+        if (edit.kind == EditKind::Grow && !is_loose_end &&
+            others_at(p, edit, start, edits_.size()).empty()) {
+          return "ends on nothing";
+        }
+      }
+      for (const Line& line : drawing_.around(piece, start, start)) {
+        if (!is_own(line, edit) && meets_inside(piece, extent_of(line))) {
+          return "goes past what it meets first";
+        }
+      }
+    }
+    return "";
+  }
+
+  std::string wrong_dissolution(std::size_t t) const {
+    const Edit& edit = edits_[t];
+    const Line& whole = edit.after.front();
+    for (const Line& part : edit.before) {
+      if (part.b == whole.b) continue;
+      for (const Line& line : drawing_.at(part.b, t, t)) {
+        if (std::ranges::find(edit.before, line) == edit.before.end()) {
+          return "is where another line is";
+        }
+      }
+    }
+    return "";
+  }
+
+  /// Nothing that stays touches what went but at the junction, where something does.
+  std::string wrong_trim(std::size_t t) const {
+    const Edit& edit = edits_[t];
+    for (const Segment& piece : without(extents_of(edit.before), edit.after)) {
+      for (const Point& p : {piece.a, piece.b}) {
+        if (p != edit.where && !drawing_.at(p, t + 1, t + 1).empty()) {
+          return "takes what is not loose";
+        }
+      }
+      for (const Line& line : drawing_.around(piece, t + 1, t + 1)) {
+        if (meets_inside(piece, extent_of(line))) return "takes what is not loose";
+      }
+    }
+    return drawing_.at(edit.where, t + 1, t + 1).empty() ? "takes a whole free piece" : "";
+  }
+
+  std::string wrong_sliver(std::size_t t) const {
+    const Edit& edit = edits_[t];
+    const Rational reach = rational_from(nearest_sqrt(edit.squared_size) * kRoom);
+    for (const Segment& piece : without(extents_of(edit.before), edit.after)) {
+      for (const Point& p : {piece.a, piece.b}) {
+        const std::vector<Segment> near = extents_of(drawing_.near(p, reach, t + 1));
+        if (near.empty() || squared_distance(p, near) > edit.squared_size) {
+          return "takes a border that is farther from what stays than " +
+                 length_text(edit.squared_size);
+        }
+      }
+    }
+    return "";
+  }
+
+  /// More than roots are off by.
+  static constexpr double kRoom = 1 + 0x1p-40;
+
+  const std::vector<Edit>& edits_;
+  const Drawing drawing_;
+};
+
+}  // namespace
+
+std::vector<Breach> check_surroundings(const SegmentSet& input, const Repair& repair,
+                                       const Replay& replay) {
+  std::vector<Breach> result;
+  if (repair.edits.empty()) return result;
+  const Surroundings surroundings(input, repair, replay);
+  std::size_t start = 0;
+  for (std::size_t t = 0; t < repair.edits.size(); ++t) {
+    const Edit& edit = repair.edits[t];
+    if (t == 0 || !grows(edit.kind) || !grows(repair.edits[t - 1].kind)) start = t;
+    const std::string wrong = surroundings.wrong(t, start);
+    if (!wrong.empty()) result.push_back({to_text(edit.kind) + " " + wrong, edit.where, t});
+  }
+  return result;
+}
+
+}  // namespace plumbline::edits

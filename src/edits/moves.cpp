@@ -1,0 +1,77 @@
+#include "edits/moves.hpp"
+
+#include <algorithm>
+
+#include "edits/rules.hpp"
+
+namespace plumbline::edits {
+
+Moves::Moves(const Repair& repair) : tolerances_(repair.tolerances) {
+  for (const Edit& edit : repair.edits) {
+    switch (edit.kind) {
+      case EditKind::Grow:
+      case EditKind::Bridge:
+      case EditKind::Joint:
+        for (const Segment& piece : added(edit)) {
+          for (const SegmentId s : segments_of(edit.after)) added_.emplace(s, piece);
+        }
+        break;
+      case EditKind::Weld:
+      case EditKind::Snap:
+      case EditKind::Simplify:
+        for (const SegmentId s : segments_of(edit.before)) {
+          std::vector<EditKind>& kinds = kinds_[s];
+          if (std::ranges::find(kinds, edit.kind) == kinds.end()) kinds.push_back(edit.kind);
+        }
+        for (const Line& line : edit.after) {
+          if (edit.kind != EditKind::Snap) continue;
+          for (const SegmentId s : line.segments) snapped_.emplace(s, extent_of(line));
+        }
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+bool Moves::is_moved(std::span<const SegmentId> segments) const {
+  return std::ranges::any_of(segments, [&](SegmentId s) { return kinds_.contains(s); });
+}
+
+Rational Moves::bound(std::span<const SegmentId> segments) const {
+  bool is_welded = false, is_snapped = false, is_simplified = false;
+  for (const SegmentId s : segments) {
+    const auto place = kinds_.find(s);
+    if (place == kinds_.end()) continue;
+    for (const EditKind kind : place->second) {
+      is_welded = is_welded || kind == EditKind::Weld;
+      is_snapped = is_snapped || kind == EditKind::Snap;
+      is_simplified = is_simplified || kind == EditKind::Simplify;
+    }
+  }
+  Rational result = 0;
+  if (is_welded) result += 2 * tolerances_.weld;
+  if (is_snapped) result += tolerances_.snap;
+  if (is_simplified) result += tolerances_.simplify;
+  return result;
+}
+
+std::vector<Segment> Moves::added_to(std::span<const SegmentId> segments) const {
+  std::vector<Segment> result;
+  for (const SegmentId s : segments) {
+    const auto [first, last] = added_.equal_range(s);
+    for (auto place = first; place != last; ++place) result.push_back(place->second);
+  }
+  return result;
+}
+
+bool Moves::is_snapped(std::span<const SegmentId> segments, const Point& to) const {
+  return std::ranges::any_of(segments, [&](SegmentId s) {
+    const auto [first, last] = snapped_.equal_range(s);
+    return std::any_of(first, last, [&](const auto& snapped) {
+      return snapped.second.a == to || snapped.second.b == to;
+    });
+  });
+}
+
+}  // namespace plumbline::edits

@@ -1,0 +1,53 @@
+// Trim and Sliver: what stays of a line is a part of it.
+
+#include <algorithm>
+#include <set>
+
+#include "edits/rules.hpp"
+
+namespace plumbline::edits {
+namespace {
+
+bool is_part(const Line& part, std::span<const Line> lines) {
+  return std::ranges::any_of(lines, [&](const Line& line) {
+    return line.segments == part.segments && covers(extent_of(line), extent_of(part));
+  });
+}
+
+/// Whether the segments hang together by their ends, and with the point.
+bool is_chain_from(const Point& start, std::vector<Segment> chain) {
+  std::set<Point> reached = {start};
+  while (!chain.empty()) {
+    const auto next = std::ranges::find_if(
+        chain, [&](const Segment& s) { return reached.contains(s.a) || reached.contains(s.b); });
+    if (next == chain.end()) return false;
+    reached.insert({next->a, next->b});
+    chain.erase(next);
+  }
+  return true;
+}
+
+std::string wrong_reach(const Edit& edit, const std::vector<Segment>& gone) {
+  if (!is_chain_from(edit.where, gone)) return "takes what is no chain from its junction";
+  Rational reach = 0;
+  for (const Segment& s : gone) {
+    reach = std::max({reach, squared_distance(edit.where, s.a), squared_distance(edit.where, s.b)});
+  }
+  if (reach == edit.squared_size) return "";
+  return "reaches " + length_text(reach) + ", not " + length_text(edit.squared_size);
+}
+
+}  // namespace
+
+std::string wrong_removal(const Edit& edit, const Tolerances& tolerances) {
+  const auto is_kept = [&](const Line& line) { return is_part(line, edit.before); };
+  if (!std::ranges::all_of(edit.after, is_kept)) return "leaves what was not there";
+  const std::vector<Segment> gone = without(extents_of(edit.before), edit.after);
+  if (gone.empty()) return "takes nothing away";
+  const bool is_trim = edit.kind == EditKind::Trim;
+  std::string wrong = is_trim ? wrong_reach(edit, gone) : "";
+  if (!wrong.empty()) return wrong;
+  return beyond(edit.squared_size, is_trim ? tolerances.trim : tolerances.sliver);
+}
+
+}  // namespace plumbline::edits
