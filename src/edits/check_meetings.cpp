@@ -1,6 +1,7 @@
 // Where a line that was moved meets another one, segments that they stand for met, too, as near as
-// lines move; or something was added there. Of lines that were not moved the other steps know all:
-// they are where they were authored, or added.
+// lines move; or one of them ends so near, or grew there. So lines that run past each other do not
+// come to cross. Of lines that were not moved the other steps know all: they are where they were
+// authored, or added.
 
 #include <algorithm>
 #include <optional>
@@ -74,31 +75,50 @@ std::optional<Rational> distance_from_meeting(const Point& p, const Segment& s, 
   return squared_distance(p, meeting);
 }
 
+/// The segments of a bundle that pass so near.
+std::vector<SegmentId> passing(const SegmentSet& input, const Point& p, const Bundle& bundle,
+                               const Rational& squared_bound) {
+  std::vector<SegmentId> result = bundle.origins;
+  std::erase_if(result, [&](SegmentId s) {
+    const Segment segment = input.segments[s];
+    return squared_distance(p, segment.a, segment.b) > squared_bound;
+  });
+  return result;
+}
+
 bool met(const SegmentSet& input, const Point& p, const Bundle& b, const Bundle& c,
-         const Rational& bound) {
-  for (const SegmentId s : b.origins) {
-    for (const SegmentId t : c.origins) {
-      if (s == t) return true;
+         const Rational& squared_bound) {
+  const std::vector<SegmentId> others = passing(input, p, c, squared_bound);
+  for (const SegmentId s : passing(input, p, b, squared_bound)) {
+    for (const SegmentId t : others) {
       const auto moved = distance_from_meeting(p, input.segments[s], input.segments[t]);
-      if (moved && *moved <= bound * bound) return true;
+      if (s == t || (moved && *moved <= squared_bound)) return true;
     }
   }
   return false;
 }
 
-bool is_added(const Moves& moves, const Point& p, const Bundle& bundle) {
-  return std::ranges::any_of(moves.added_to(bundle.origins),
-                             [&](const Segment& piece) { return on_segment(piece.a, piece.b, p); });
+/// Whether what was drawn for the bundle begins, ends or was added so near.
+bool ends_near(const SegmentSet& input, const Moves& moves, const Point& p, const Bundle& bundle,
+               const Rational& squared_bound) {
+  for (const SegmentId s : bundle.origins) {
+    const Segment segment = input.segments[s];
+    if (squared_distance(p, segment.a) <= squared_bound) return true;
+    if (squared_distance(p, segment.b) <= squared_bound) return true;
+  }
+  return std::ranges::any_of(moves.added_to(bundle.origins), [&](const Segment& piece) {
+    return squared_distance(p, piece.a, piece.b) <= squared_bound;
+  });
 }
 
 bool is_right(const SegmentSet& input, const Moves& moves, const Point& p, const Bundle& b,
               const Bundle& c) {
   if (!moves.is_moved(b.origins) && !moves.is_moved(c.origins)) return true;
-  if (moves.is_snapped(b.origins, p) || moves.is_snapped(c.origins, p)) return true;
-  if (is_added(moves, p, b) || is_added(moves, p, c)) return true;
   std::vector<SegmentId> both = b.origins;
   both.insert(both.end(), c.origins.begin(), c.origins.end());
-  return met(input, p, b, c, moves.bound(both));
+  const Rational bound = moves.bound(both), squared = bound * bound;
+  return met(input, p, b, c, squared) || ends_near(input, moves, p, b, squared) ||
+         ends_near(input, moves, p, c, squared);
 }
 
 }  // namespace

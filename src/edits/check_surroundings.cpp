@@ -1,6 +1,6 @@
-// Additions start at loose ends, run over what is free and end on something; what is dissolved was
-// a meeting of nothing else; what is trimmed hung by its junction alone; a thin border went to one
-// that is near.
+// Additions start at loose ends, run over what is free and end on something; doors are between
+// ends; what is dissolved was a meeting of nothing else; what is trimmed hung by its junction
+// alone; a thin border went to one that is near.
 
 #include <algorithm>
 #include <iterator>
@@ -27,6 +27,8 @@ class Surroundings {
       case EditKind::Bridge:
       case EditKind::Joint:
         return wrong_growth(t, start);
+      case EditKind::Door:
+        return wrong_door(t);
       case EditKind::Dissolve:
         return wrong_dissolution(t);
       case EditKind::Trim:
@@ -79,6 +81,21 @@ class Surroundings {
     return "";
   }
 
+  std::string wrong_door(std::size_t t) const {
+    for (const Line& side : edits_[t].after) {
+      if (!is_vertex(side.a, t) || !is_vertex(side.b, t)) return "is not between ends of walls";
+    }
+    return "";
+  }
+
+  /// Whether a line ends at the point, or two cross there.
+  bool is_vertex(const Point& p, std::size_t state) const {
+    const std::vector<Line> lines = drawing_.at(p, state, state);
+    return std::ranges::any_of(lines, [&](const Line& line) {
+      return line.a == p || line.b == p || !is_collinear(extent_of(line), extent_of(lines.front()));
+    });
+  }
+
   std::string wrong_dissolution(std::size_t t) const {
     const Edit& edit = edits_[t];
     const Line& whole = edit.after.front();
@@ -109,21 +126,47 @@ class Surroundings {
     return drawing_.at(edit.where, t + 1, t + 1).empty() ? "takes a whole free piece" : "";
   }
 
+  /// All of what went has something that stays within its size at its ends, and within twice that
+  /// between.
   std::string wrong_sliver(std::size_t t) const {
     const Edit& edit = edits_[t];
-    const Rational reach = rational_from(nearest_sqrt(edit.squared_size) * kRoom);
     for (const Segment& piece : without(extents_of(edit.before), edit.after)) {
-      for (const Point& p : {piece.a, piece.b}) {
-        const std::vector<Segment> near = extents_of(drawing_.near(p, reach, t + 1));
-        if (near.empty() || squared_distance(p, near) > edit.squared_size) {
-          return "takes a border that is farther from what stays than " +
-                 length_text(edit.squared_size);
-        }
-      }
+      const bool is_near = !near(piece.a, edit.squared_size, t + 1).empty() &&
+                           !near(piece.b, edit.squared_size, t + 1).empty() &&
+                           is_near_along(piece, 4 * edit.squared_size, t + 1, kMostHalvings);
+      if (is_near) continue;
+      return "takes a border that is farther from what stays than " +
+             length_text(edit.squared_size);
     }
     return "";
   }
 
+  /// The lines that are not farther from the point.
+  std::vector<Line> near(const Point& p, const Rational& squared, std::size_t state) const {
+    std::vector<Line> result =
+        drawing_.near(p, rational_from(nearest_sqrt(squared) * kRoom), state);
+    std::erase_if(result,
+                  [&](const Line& line) { return squared_distance(p, line.a, line.b) > squared; });
+    return result;
+  }
+
+  /// A line that is near both ends of a piece is near all of it; other pieces are halved.
+  bool is_near_along(const Segment& piece, const Rational& squared, std::size_t state,
+                     int halvings) const {
+    const std::vector<Line> lines = near(piece.a, squared, state);
+    const auto is_beside = [&](const Line& line) {
+      return squared_distance(piece.b, line.a, line.b) <= squared;
+    };
+    if (std::ranges::any_of(lines, is_beside)) return true;
+    if (lines.empty() || halvings == 0) return false;
+    const Point middle = {(piece.a.x + piece.b.x) / 2, (piece.a.y + piece.b.y) / 2};
+    return !near(middle, squared, state).empty() &&
+           is_near_along({piece.a, middle}, squared, state, halvings - 1) &&
+           is_near_along({middle, piece.b}, squared, state, halvings - 1);
+  }
+
+  /// So often that pieces are shorter than any sliver is wide.
+  static constexpr int kMostHalvings = 40;
   /// More than roots are off by.
   static constexpr double kRoom = 1 + 0x1p-40;
 

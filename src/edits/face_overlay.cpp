@@ -100,9 +100,11 @@ std::vector<EdgeId> borders(const ExactComplex& complex, const std::vector<FaceI
   return result;
 }
 
-/// Per face of the overlay the face of one side. Across an edge that is no border of that side it
-/// is the same one; where no border is around, the unbounded one.
+/// Per face of the overlay the face of one side, of those asked for; the unbounded one stands for
+/// the others, too, which no face asked for on the other side meets. Across an edge that is no
+/// border of this side it is the same.
 std::vector<FaceId> faces_around(const ExactComplex& overlay, const ExactComplex& complex,
+                                 const std::vector<FaceId>& faces,
                                  const std::vector<EdgeId>& border) {
   UnionFind sets(overlay.face_count());
   for (std::size_t e = 0; e < border.size(); ++e) {
@@ -114,8 +116,9 @@ std::vector<FaceId> faces_around(const ExactComplex& overlay, const ExactComplex
   for (std::size_t e = 0; e < border.size(); ++e) {
     if (!border[e].valid()) continue;
     for (const bool is_right : {false, true}) {
-      const std::size_t set = sets.find(overlay.halfedge_face[halfedge(EdgeId(e), is_right)]);
-      result[set] = complex.halfedge_face[halfedge(border[e], is_right)];
+      const FaceId face = complex.halfedge_face[halfedge(border[e], is_right)];
+      if (!std::ranges::binary_search(faces, face)) continue;
+      result[sets.find(overlay.halfedge_face[halfedge(EdgeId(e), is_right)])] = face;
     }
   }
   for (std::size_t f = 0; f < result.size(); ++f) result[f] = result[sets.find(f)];
@@ -156,7 +159,7 @@ FaceOverlay overlay(const Complexes& complexes, const Both<std::vector<FaceId>>&
     }
   }
   for (const Side side : kSides) {
-    result.face[side] = faces_around(result.complex, *complexes[side], border[side]);
+    result.face[side] = faces_around(result.complex, *complexes[side], faces[side], border[side]);
     for (const EdgeId e : border[side]) result.is_border[side].push_back(e.valid());
   }
   return result;

@@ -16,7 +16,8 @@ template <class T>
 using Both = std::array<T, 2>;
 using Complexes = Both<const ExactComplex*>;
 
-/// Per side, the bounded faces whose boundary is not there on the other side with the same cells.
+/// Per side the bounded faces, ascending, whose boundary is not there on the other side with the
+/// same cells.
 Both<std::vector<FaceId>> changed_faces(const Complexes& complexes);
 
 /// Both drawings of the borders of some faces in one arrangement, cut at ends of edits' lines.

@@ -23,10 +23,6 @@ Moves::Moves(const Repair& repair) : tolerances_(repair.tolerances) {
           std::vector<EditKind>& kinds = kinds_[s];
           if (std::ranges::find(kinds, edit.kind) == kinds.end()) kinds.push_back(edit.kind);
         }
-        for (const Line& line : edit.after) {
-          if (edit.kind != EditKind::Snap) continue;
-          for (const SegmentId s : line.segments) snapped_.emplace(s, extent_of(line));
-        }
         break;
       default:
         break;
@@ -63,15 +59,6 @@ std::vector<Segment> Moves::added_to(std::span<const SegmentId> segments) const 
     for (auto place = first; place != last; ++place) result.push_back(place->second);
   }
   return result;
-}
-
-bool Moves::is_snapped(std::span<const SegmentId> segments, const Point& to) const {
-  return std::ranges::any_of(segments, [&](SegmentId s) {
-    const auto [first, last] = snapped_.equal_range(s);
-    return std::any_of(first, last, [&](const auto& snapped) {
-      return snapped.second.a == to || snapped.second.b == to;
-    });
-  });
 }
 
 }  // namespace plumbline::edits

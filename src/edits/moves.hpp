@@ -18,14 +18,11 @@ class Moves {
   Rational bound(std::span<const SegmentId> segments) const;
   /// Pieces that Grow, Bridge or Joint added to lines of one of the segments.
   std::vector<Segment> added_to(std::span<const SegmentId> segments) const;
-  /// Whether lines of one of the segments went to this vertex.
-  bool is_snapped(std::span<const SegmentId> segments, const Point& to) const;
 
  private:
   const Tolerances tolerances_;
   std::map<SegmentId, std::vector<EditKind>> kinds_;  ///< of movements
   std::multimap<SegmentId, Segment> added_;
-  std::multimap<SegmentId, Segment> snapped_;
 };
 
 }  // namespace plumbline::edits

@@ -2,6 +2,7 @@
 // `check_movement`.
 
 #include <algorithm>
+#include <map>
 
 #include "edits/rules.hpp"
 
@@ -25,12 +26,10 @@ std::string wrong_distance(const Edit& edit, const std::vector<Segment>& from) {
 std::string wrong_simplification(const Edit& edit) {
   if (edit.before.size() < 2 || edit.after.size() != 1) return "is not of lines that become one";
   const Line& line = edit.after.front();
-  std::vector<Point> ends;
-  for (const Line& l : edit.before) ends.insert(ends.end(), {l.a, l.b});
-  std::sort(ends.begin(), ends.end());
+  std::map<Point, std::size_t> ends;
+  for (const Line& l : edit.before) ++ends[l.a], ++ends[l.b];
   std::vector<Point> tips;
-  for (const Point& p : ends) {
-    const auto times = std::ranges::count(ends, p);
+  for (const auto& [p, times] : ends) {
     if (times == 1) tips.push_back(p);
     if (times > 2) return "is not of a chain";
   }
@@ -42,7 +41,8 @@ std::string wrong_simplification(const Edit& edit) {
 
 std::string wrong_movement(const Edit& edit, const Tolerances& tolerances,
                            std::span<const Segment> origins) {
-  if (edit.before.empty()) return "moves nothing";
+  const bool is_one = edit.kind == EditKind::Simplify || edit.before.size() == 1;
+  if (!is_one) return "moves " + std::to_string(edit.before.size()) + " lines";
   const Rational limit = edit.kind == EditKind::Weld   ? Rational(2 * tolerances.weld)
                          : edit.kind == EditKind::Snap ? tolerances.snap
                                                        : tolerances.simplify;
@@ -54,6 +54,7 @@ std::string wrong_movement(const Edit& edit, const Tolerances& tolerances,
   if (edit.after.empty()) {
     return is_small(from, limit) ? "" : "makes a point of a line that is longer than it goes";
   }
+  if (!hang_together(edit.after.front().a, extents_of(edit.after))) return "tears a line apart";
   const Rational left = farthest_end(from, extents_of(edit.after));
   if (left > 4 * limit * limit) return "leaves an end behind by " + length_text(left);
   if (edit.kind == EditKind::Simplify && left > edit.squared_size) {

@@ -1,7 +1,6 @@
 // Trim and Sliver: what stays of a line is a part of it.
 
 #include <algorithm>
-#include <set>
 
 #include "edits/rules.hpp"
 
@@ -14,21 +13,8 @@ bool is_part(const Line& part, std::span<const Line> lines) {
   });
 }
 
-/// Whether the segments hang together by their ends, and with the point.
-bool is_chain_from(const Point& start, std::vector<Segment> chain) {
-  std::set<Point> reached = {start};
-  while (!chain.empty()) {
-    const auto next = std::ranges::find_if(
-        chain, [&](const Segment& s) { return reached.contains(s.a) || reached.contains(s.b); });
-    if (next == chain.end()) return false;
-    reached.insert({next->a, next->b});
-    chain.erase(next);
-  }
-  return true;
-}
-
 std::string wrong_reach(const Edit& edit, const std::vector<Segment>& gone) {
-  if (!is_chain_from(edit.where, gone)) return "takes what is no chain from its junction";
+  if (!hang_together(edit.where, gone)) return "takes what is no chain from its junction";
   Rational reach = 0;
   for (const Segment& s : gone) {
     reach = std::max({reach, squared_distance(edit.where, s.a), squared_distance(edit.where, s.b)});

@@ -23,7 +23,7 @@ std::vector<Breach> check_surroundings(const SegmentSet& input, const Repair& re
 std::vector<Breach> check_movement(const SegmentSet& input, const Repair& repair,
                                    const Replay& replay);
 
-/// Lines that were moved meet what they met before, and nothing else.
+/// Lines that were moved meet what they met before, or what ended as near as they moved.
 std::vector<Breach> check_meetings(const SegmentSet& input, const Repair& repair,
                                    const ExactComplex& after);
 
