@@ -1,7 +1,7 @@
 // Where a line that was moved meets another one, segments that they stand for met, too, as near as
-// lines move; or one of them ends so near, or grew there. So lines that run past each other do not
-// come to cross. Of lines that were not moved the other steps know all: they are where they were
-// authored, or added.
+// lines move; or one of them ends so near, or grew there; or vertices were snapped together. So
+// lines that run past each other do not come to cross. Of lines that were not moved the other steps
+// know all: they are where they were authored, or added.
 
 #include <algorithm>
 #include <optional>
@@ -117,6 +117,10 @@ bool is_right(const SegmentSet& input, const Moves& moves, const Point& p, const
   std::vector<SegmentId> both = b.origins;
   both.insert(both.end(), c.origins.begin(), c.origins.end());
   const Rational bound = moves.bound(both), squared = bound * bound;
+  // Vertices that are near each other become one by snapping, whatever leads through them.
+  if (moves.is_snapped(both)) {
+    return !passing(input, p, b, squared).empty() && !passing(input, p, c, squared).empty();
+  }
   return met(input, p, b, c, squared) || ends_near(input, moves, p, b, squared) ||
          ends_near(input, moves, p, c, squared);
 }

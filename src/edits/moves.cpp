@@ -34,6 +34,13 @@ bool Moves::is_moved(std::span<const SegmentId> segments) const {
   return std::ranges::any_of(segments, [&](SegmentId s) { return kinds_.contains(s); });
 }
 
+bool Moves::is_snapped(std::span<const SegmentId> segments) const {
+  return std::ranges::any_of(segments, [&](SegmentId s) {
+    const auto place = kinds_.find(s);
+    return place != kinds_.end() && std::ranges::count(place->second, EditKind::Snap) > 0;
+  });
+}
+
 Rational Moves::bound(std::span<const SegmentId> segments) const {
   bool is_welded = false, is_snapped = false, is_simplified = false;
   for (const SegmentId s : segments) {
@@ -47,7 +54,7 @@ Rational Moves::bound(std::span<const SegmentId> segments) const {
   }
   Rational result = 0;
   if (is_welded) result += 2 * tolerances_.weld;
-  if (is_snapped) result += tolerances_.snap;
+  if (is_snapped) result += 2 * tolerances_.snap;
   if (is_simplified) result += tolerances_.simplify;
   return result;
 }

@@ -14,6 +14,7 @@ class Moves {
 
   bool is_any() const { return !kinds_.empty(); }
   bool is_moved(std::span<const SegmentId> segments) const;
+  bool is_snapped(std::span<const SegmentId> segments) const;
   /// All edits together.
   Rational bound(std::span<const SegmentId> segments) const;
   /// Pieces that Grow, Bridge or Joint added to lines of one of the segments.

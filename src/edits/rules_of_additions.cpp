@@ -71,15 +71,18 @@ std::string wrong_door(const Edit& edit, const Tolerances& tolerances) {
   if (!edit.before.empty()) return "takes lines away";
   if (edit.after.empty() || edit.after.size() > 2) return "is not of one or two lines";
   if (!tolerances.doors) return "is one where doors are not asked for";
+  // Two sides of an opening are of one width and parallel, but for rounding of the drawing.
+  constexpr int kRounding = 1000000;
+  const Line &l = edit.after.front(), &m = edit.after.back();
+  Rational least = squared_distance(l.a, l.b);
   for (const Line& line : edit.after) {
     if (!line.segments.empty()) return "is not virtual";
-    std::string wrong = wrong_size(squared_distance(line.a, line.b), edit);
-    if (!wrong.empty()) return wrong;
+    least = std::min(least, squared_distance(line.a, line.b));
   }
-  const Line &l = edit.after.front(), &m = edit.after.back();
-  if (l.b.x - l.a.x != m.b.x - m.a.x || l.b.y - l.a.y != m.b.y - m.a.y) {
-    return "has sides that are not parallel";
-  }
+  std::string wrong = wrong_size(least, edit);
+  if (!wrong.empty()) return wrong;
+  const Rational x = (l.b.x - l.a.x) - (m.b.x - m.a.x), y = (l.b.y - l.a.y) - (m.b.y - m.a.y);
+  if ((x * x + y * y) * kRounding * kRounding > least) return "has sides that are not parallel";
   const Range& widths = *tolerances.doors;
   const bool is_wide = widths.least * widths.least <= edit.squared_size &&
                        edit.squared_size <= widths.most * widths.most;

@@ -32,14 +32,21 @@ class Repairing {
         work_(input, result.anchored),
         choice_(input, result.reasons) {}
 
-  void run() {
-    for (std::size_t round = 0; round < kMostRounds; ++round) {
+  /// What is not true of the result; nothing where all is.
+  std::optional<Breach> run() {
+    bool is_settled = false;
+    for (std::size_t round = 0; round < kMostRounds && !is_settled; ++round) {
       const std::size_t edits = work_.edits().size();
       run_once(round == 0);
-      if (work_.edits().size() == edits) break;
+      is_settled = work_.edits().size() == edits;
     }
+    if (!is_settled) return Breach{"there is no end of edits", work_.edits().back().where, {}};
     if (sgn(result_.tolerances.grow) > 0) refuse_open_ends(work_, now_, result_.tolerances.grow);
     work_.write(result_);
+    result_.faces = face_outcomes(work_.input(), before_, result_, now_.complex);
+    std::vector<Breach> breaches = verify(work_.input(), before_, result_, now_.complex);
+    if (breaches.empty()) return std::nullopt;
+    return breaches.front();
   }
 
  private:
@@ -81,6 +88,7 @@ class Repairing {
     if (looked_at_ == work_.edits().size()) return;
     looked_at_ = work_.edits().size();
     now_ = arranged(work_);
+    if (looked_at_ == 0) before_ = now_.complex;
   }
 
   const RepairOptions& options_;
@@ -88,19 +96,54 @@ class Repairing {
   Work work_;
   Choice choice_;
   Arranged now_;
+  ExactComplex before_;
   std::size_t looked_at_ = static_cast<std::size_t>(-1);  ///< edits of which `now_` knows
 };
+
+/// Moving lines is what can go wrong: some other line may be in the way. Turns off one operation
+/// that does, and says so. Throws: Error Internal where none is on.
+Refusal give_up_movement(RepairOptions& options, const Tolerances& used, const Breach& breach) {
+  const auto refusal = [&](EditKind kind, const Rational& size) {
+    return Refusal{kind,
+                   breach.where,
+                   size * size,
+                   "given up as a whole, since it would break a promise: " + breach.message,
+                   {}};
+  };
+  if (sgn(used.simplify) > 0) {
+    options.simplify = 0;
+    return refusal(EditKind::Simplify, used.simplify);
+  }
+  if (sgn(used.snap) > 0) {
+    options.snap = 0;
+    return refusal(EditKind::Snap, used.snap);
+  }
+  if (sgn(used.weld) > 0) {
+    options.weld = 0;
+    return refusal(EditKind::Weld, used.weld);
+  }
+  throw Error(ErrorCode::Internal, "a repair breaks its promise: " + breach.message, {},
+              to_text(breach.where));
+}
 
 }  // namespace
 
 Repair repair(const SegmentSet& input, const RepairOptions& options) {
-  Repair result;
-  result.tolerances.snap = options.snap;
-  result.tolerances.simplify = options.simplify;
-  result.tolerances.doors = options.doors;
-  result.anchored = anchored_segments(input, options);
-  Repairing(input, options, result).run();
-  return result;
+  RepairOptions now = options;
+  std::vector<Refusal> given_up;
+  while (true) {
+    Repair result;
+    result.tolerances.snap = now.snap;
+    result.tolerances.simplify = now.simplify;
+    result.tolerances.doors = now.doors;
+    result.anchored = anchored_segments(input, now);
+    const std::optional<Breach> breach = Repairing(input, now, result).run();
+    if (!breach) {
+      result.refused.insert(result.refused.begin(), given_up.begin(), given_up.end());
+      return result;
+    }
+    given_up.push_back(give_up_movement(now, result.tolerances, *breach));
+  }
 }
 
 }  // namespace plumbline

@@ -111,7 +111,7 @@ class Snapping {
   }
   bool is_beside(VertexId w, const Edge& edge) const {
     return squared_distance(complex_.vertices[w], complex_.vertices[edge.tail],
-                            complex_.vertices[edge.head]) <= squared_distance_;
+                            complex_.vertices[edge.head]) <= squared_distance_ / 4;
   }
 
   /// The lower envelope of offset - t slope, for t from 0 to 1.
