@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "diagnose/edge_tree.hpp"
-#include "geometry/union_find.hpp"
+#include "geometry/box_tree.hpp"
 
 namespace plumbline::repair_steps {
 namespace {
@@ -40,6 +40,54 @@ void unite_continuing(const Arranged& arranged, UnionFind& sets) {
   }
 }
 
+/// A line in doubles.
+struct Ends {
+  Ends(const SegmentD& segment, bool made_lately) : line(segment), is_new(made_lately) {
+    const PointD d{line.b.x - line.a.x, line.b.y - line.a.y};
+    length = quick_length(d);
+    unit = {d.x / length, d.y / length};
+  }
+
+  SegmentD line;
+  bool is_new;
+  double length;
+  PointD unit;
+};
+
+/// Calls visit(i, j) where an end of line i is within reach of line j and one of them is new.
+template <class Visit>
+void for_each_near_end(const std::vector<Ends>& lines, double reach, const Visit& visit) {
+  std::vector<Edge> edges;  // of all lines, or of the new ones
+  std::vector<PointD> ends;
+  std::vector<std::size_t> line_of;
+  std::vector<BoxD> new_ends;
+  const bool all_new = std::ranges::all_of(lines, [](const Ends& line) { return line.is_new; });
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!lines[i].is_new) continue;
+    edges.push_back({VertexId(ends.size()), VertexId(ends.size() + 1)});
+    for (const PointD& end : {lines[i].line.a, lines[i].line.b}) {
+      ends.push_back(end);
+      if (!all_new) new_ends.push_back(grown({end, end}, reach));
+    }
+    line_of.push_back(i);
+  }
+  if (edges.empty()) return;
+  const diagnose_steps::EdgeTree tree(edges, ends);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const PointD& end : {lines[i].line.a, lines[i].line.b}) {
+      tree.visit(end, reach, [&](EdgeId e, const auto& /*foot*/) {
+        if (line_of[e] != i) visit(i, line_of[e]);
+      });
+    }
+  }
+  if (all_new) return;
+  const BoxTree boxes(new_ends);
+  for (std::size_t j = 0; j < lines.size(); ++j) {
+    if (lines[j].is_new) continue;
+    for (const std::size_t k : boxes.meeting(lines[j].line)) visit(line_of[k / 2], j);
+  }
+}
+
 struct Between {
   Point p, d;  ///< a point, and a direction
 };
@@ -54,61 +102,56 @@ bool is_stronger(const Carrier& c, const Carrier& d) {
   return c.a == d.a ? c.b < d.b : c.a < d.a;
 }
 
-Carriers carriers_of(const Work& work, const Arranged& arranged) {
-  UnionFind sets(arranged.line_of.size());
-  unite_continuing(arranged, sets);
-  Carriers result;
-  std::vector<std::size_t> number(arranged.line_of.size(), arranged.line_of.size());
-  for (std::size_t s = 0; s < arranged.line_of.size(); ++s) {
-    const Line line = work.line(arranged.line_of[s]);
-    std::size_t& carrier = number[sets.find(s)];
-    if (carrier == arranged.line_of.size()) {
-      carrier = result.carriers.size();
-      result.carriers.push_back({line.a, line.b, {}, false, 0});
-    }
-    Carrier& c = result.carriers[carrier];
-    c.a = std::min(c.a, line.a);
-    c.b = std::max(c.b, line.b);
-    c.lines.push_back(arranged.line_of[s]);
-    c.is_anchored = c.is_anchored || work.is_anchored(c.lines.back());
-    result.of_line.push_back(carrier);
+Carriers::Carriers(const Work& work, const Arranged& arranged)
+    : work_(work),
+      arranged_(arranged),
+      sets_(arranged.line_of.size()),
+      members_(arranged.line_of.size()) {
+  unite_continuing(arranged, sets_);
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    members_[sets_.find(i)].push_back(static_cast<std::uint32_t>(i));
   }
-  for (Carrier& c : result.carriers) c.squared_length = squared_distance(c.a, c.b);
-  return result;
+}
+
+const Carrier& Carriers::operator[](std::size_t carrier) {
+  const auto [place, is_new] = made_.try_emplace(carrier);
+  Carrier& c = place->second;
+  if (!is_new) return c;
+  for (const std::uint32_t i : members_[carrier]) {
+    const LineId id = arranged_.line_of[i];
+    Line line = work_.line(id);
+    const bool is_first = c.lines.empty();
+    if (is_first || line.a < c.a) c.a = std::move(line.a);
+    if (is_first || c.b < line.b) c.b = std::move(line.b);
+    c.lines.push_back(id);
+    c.is_anchored = c.is_anchored || work_.is_anchored(id);
+  }
+  c.squared_length = squared_distance(c.a, c.b);
+  return c;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> side_by_side(const Work& work,
                                                               const Arranged& arranged,
-                                                              const Rational& distance) {
-  std::vector<Edge> edges;
-  std::vector<PointD> ends;
+                                                              const Rational& distance,
+                                                              LineId first_new) {
+  // Where two lines lie side by side, an end of one of them is near the other.
+  std::vector<Ends> lines;
+  double largest = 0;
   for (const LineId id : arranged.line_of) {
-    const SegmentD line = work.rounded(id);
-    edges.push_back({VertexId(ends.size()), VertexId(ends.size() + 1)});
-    ends.push_back(line.a);
-    ends.push_back(line.b);
+    lines.emplace_back(work.rounded(id), id >= first_new);
+    largest = std::max({largest, std::abs(lines.back().line.a.x), std::abs(lines.back().line.a.y),
+                        std::abs(lines.back().line.b.x), std::abs(lines.back().line.b.y)});
   }
-  const diagnose_steps::EdgeTree tree(edges, ends);
-  const double slack = largest_coordinate(ends) * 0x1p-45;
-  const double reach = nearest_double(distance) * (1 + 0x1p-30) + slack;
+  const double reach = nearest_double(distance) * (1 + 0x1p-30) + largest * 0x1p-45;
   std::vector<std::pair<std::size_t, std::size_t>> result;
-  const auto unit = [&](std::size_t i) {
-    const PointD d{ends[2 * i + 1].x - ends[2 * i].x, ends[2 * i + 1].y - ends[2 * i].y};
-    const double length = quick_length(d);
-    return std::pair(PointD{d.x / length, d.y / length}, length);
-  };
-  for (std::size_t end = 0; end < ends.size(); ++end) {
-    const std::size_t i = end / 2;
-    const auto [u, length] = unit(i);
-    tree.visit(ends[end], reach, [&](EdgeId e, const auto& /*foot*/) {
-      const std::size_t j = e;
-      if (j == i) return;
-      const auto [v, other] = unit(j);
-      // Both ends of the shorter one are beside the other: it deviates by no more than that.
-      if (std::abs(u.x * v.y - u.y * v.x) * std::min(length, other) > 2 * reach) return;
+  for_each_near_end(lines, reach, [&](std::size_t i, std::size_t j) {
+    // Both ends of the shorter one are beside the other: it deviates by no more than that.
+    const Ends &p = lines[i], &q = lines[j];
+    if (std::abs(p.unit.x * q.unit.y - p.unit.y * q.unit.x) * std::min(p.length, q.length) <=
+        2 * reach) {
       result.emplace_back(std::min(i, j), std::max(i, j));
-    });
-  }
+    }
+  });
   std::ranges::sort(result);
   const auto repeated = std::ranges::unique(result);
   result.erase(repeated.begin(), repeated.end());

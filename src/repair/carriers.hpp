@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "geometry/union_find.hpp"
 #include "repair/work.hpp"
 
 namespace plumbline::repair_steps {
@@ -18,18 +22,32 @@ struct Carrier {
 /// Whether a carrier is stronger than another one: anchored, or longer, or further to the left.
 bool is_stronger(const Carrier& c, const Carrier& d);
 
-/// The carriers of all lines, and which of them a line lies on.
-struct Carriers {
-  std::vector<Carrier> carriers;
-  std::vector<std::size_t> of_line;  ///< per source of the arrangement
+/// The carriers of an arrangement's lines; made when they are asked for.
+class Carriers {
+ public:
+  Carriers(const Work& work, const Arranged& arranged);
+
+  /// The carrier on which a line lies, by its position in `line_of`.
+  std::size_t of_line(std::size_t position) { return sets_.find(position); }
+  /// All lines of an edge lie on one carrier.
+  std::size_t of_edge(EdgeId e) { return of_line(arranged_.complex.edge_sources[e].front()); }
+  const Carrier& operator[](std::size_t carrier);
+
+ private:
+  const Work& work_;
+  const Arranged& arranged_;
+  UnionFind sets_;
+  std::vector<std::vector<std::uint32_t>> members_;
+  std::unordered_map<std::size_t, Carrier> made_;
 };
-Carriers carriers_of(const Work& work, const Arranged& arranged);
 
 /// Pairs of lines, as positions in `line_of`, of which one may lie beside the other within the
-/// distance: all that do, and some that do not. Ascending.
+/// distance: all that do, and some that do not; one of each is new: made by an edit from
+/// `first_new` on. Ascending.
 std::vector<std::pair<std::size_t, std::size_t>> side_by_side(const Work& work,
                                                               const Arranged& arranged,
-                                                              const Rational& distance);
+                                                              const Rational& distance,
+                                                              LineId first_new);
 
 /// The foot of the perpendicular from p.
 Point foot(const Carrier& c, const Point& p);

@@ -1,9 +1,10 @@
 // Vertices that edits have left with two lines that end there, on one line and on both sides of it.
 
 #include <algorithm>
-#include <map>
+#include <array>
 #include <set>
 
+#include "geometry/box_tree.hpp"
 #include "repair/steps.hpp"
 
 namespace plumbline::repair_steps {
@@ -24,42 +25,44 @@ std::set<Point> touched(const std::vector<Edit>& edits, std::size_t first_edit) 
   return result;
 }
 
-/// What is at a vertex.
-struct Ends {
-  std::size_t edges = 0;
-  std::set<LineId> lines;
-};
+/// Per point, the lines that have it.
+std::vector<std::vector<LineId>> lines_at(const Work& work, const std::vector<Point>& points) {
+  std::vector<BoxD> boxes;
+  for (const Point& p : points) {
+    const PointD rounded = nearest(p);
+    const std::array corner = {rounded};
+    boxes.push_back(grown({rounded, rounded}, largest_coordinate(corner) * 0x1p-40));
+  }
+  const BoxTree tree(boxes);
+  std::vector<std::vector<LineId>> result(points.size());
+  for (const LineId id : work.lines()) {
+    for (const std::size_t i : tree.meeting(work.rounded(id))) {
+      const Line line = work.line(id);
+      if (on_segment(line.a, line.b, points[i])) result[i].push_back(id);
+    }
+  }
+  return result;
+}
 
 }  // namespace
 
-void dissolve(Work& work, const Arranged& arranged, std::size_t first_edit) {
+void dissolve(Work& work, std::size_t first_edit) {
   if (work.edits().size() == first_edit) return;
-  const ExactComplex& complex = arranged.complex;
-  std::map<VertexId, Ends> at;
-  for (const Point& p : touched(work.edits(), first_edit)) {
-    const std::size_t v = complex.vertices.count_before(p);
-    if (v < complex.vertices.size() && complex.vertices[v] == p) at[VertexId(v)];
-  }
-  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
-    for (const VertexId v : {complex.edges[e].tail, complex.edges[e].head}) {
-      const auto found = at.find(v);
-      if (found == at.end()) continue;
-      ++found->second.edges;
-      for (const LineId id : arranged.lines(EdgeId(e))) found->second.lines.insert(id);
-    }
-  }
-  for (const auto& [v, ends] : at) {
-    if (ends.edges != 2 || ends.lines.size() != 2) continue;
-    const Point p = complex.vertices[v];
-    const LineId first = work.ending_at(*ends.lines.begin(), p);
-    const LineId second = work.ending_at(*ends.lines.rbegin(), p);
+  const std::set<Point> candidates = touched(work.edits(), first_edit);
+  const std::vector<Point> points(candidates.begin(), candidates.end());
+  const std::vector<std::vector<LineId>> at = lines_at(work, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (at[i].size() != 2) continue;
+    const Point& p = points[i];
+    if (!work.is_end(at[i][0], p) || !work.is_end(at[i][1], p)) continue;
+    const LineId first = work.ending_at(at[i][0], p), second = work.ending_at(at[i][1], p);
     if (work.is_anchored(first) || work.is_anchored(second) || !work.is_same_layer(first, second)) {
       continue;
     }
     const Line line = work.line(first), other = work.line(second);
+    const bool are_end_to_end = (line.b == p && other.a == p) || (other.b == p && line.a == p);
     const Line whole = united(line, other);
-    if (orientation(whole.a, p, whole.b) != 0) continue;
-    if (!(line.b == other.a && line.b == p) && !(other.b == line.a && line.a == p)) continue;
+    if (!are_end_to_end || orientation(whole.a, p, whole.b) != 0) continue;
     work.apply(EditKind::Dissolve, p, 0, {first, second}, {whole});
   }
 }

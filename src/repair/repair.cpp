@@ -11,18 +11,6 @@ using namespace repair_steps;
 /// More often than any drawing needs.
 constexpr std::size_t kMostRounds = 100;
 
-/// Until nothing moves any more.
-void weld_and_merge(Work& work, Arranged& now, const Rational& distance) {
-  for (std::size_t round = 0; round < kMostRounds; ++round) {
-    const std::size_t edits = work.edits().size();
-    weld(work, now, distance);
-    if (work.edits().size() == edits) return;
-    now = arranged(work);
-    merge(work, now);
-    now = arranged(work);
-  }
-}
-
 /// The steps, one after the other, until a round of them finds nothing to do.
 class Repairing {
  public:
@@ -55,11 +43,9 @@ class Repairing {
     work_.forget_refusals();
     look_anew();
     Tolerances& tolerances = result_.tolerances;
-    merge(work_, now_);
-    look_anew();
+    merge_lines();
     if (is_first) tolerances.weld = options_.weld ? *options_.weld : choice_.weld(work_, now_);
-    if (sgn(tolerances.weld) > 0) weld_and_merge(work_, now_, tolerances.weld);
-    look_anew();
+    if (sgn(tolerances.weld) > 0) weld_lines(tolerances.weld);
     if (sgn(tolerances.snap) > 0) snap(work_, now_, tolerances.snap);
     look_anew();
     if (is_first) tolerances.grow = options_.grow ? *options_.grow : choice_.grow(work_, now_);
@@ -79,8 +65,27 @@ class Repairing {
     if (tolerances.doors) close_doors(work_, *tolerances.doors, options_.walls);
     look_anew();
     if (sgn(tolerances.simplify) > 0) simplify(work_, now_, tolerances.simplify);
-    look_anew();
-    dissolve(work_, now_, first_edit);
+    dissolve(work_, first_edit);
+  }
+
+  void merge_lines() {
+    const std::size_t edits = work_.edits().size();
+    merge(work_, now_);
+    if (work_.edits().size() == edits) return;
+    rename_lines(now_, work_);
+    looked_at_ = work_.edits().size();
+  }
+
+  /// Until nothing moves any more.
+  void weld_lines(const Rational& distance) {
+    for (std::size_t round = 0; round < kMostRounds; ++round) {
+      const std::size_t edits = work_.edits().size(), lines = work_.count();
+      weld(work_, now_, distance, first_not_welded_);
+      first_not_welded_ = LineId(lines);
+      if (work_.edits().size() == edits) return;
+      look_anew();
+      merge_lines();
+    }
   }
 
   /// Arranges the lines if they have changed.
@@ -96,6 +101,7 @@ class Repairing {
   Work work_;
   Choice choice_;
   Arranged now_;
+  LineId first_not_welded_{std::size_t{0}};
   ExactComplex before_;
   std::size_t looked_at_ = static_cast<std::size_t>(-1);  ///< edits of which `now_` knows
 };

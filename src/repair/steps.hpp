@@ -13,8 +13,9 @@ std::vector<SegmentId> anchored_segments(const SegmentSet& input, const RepairOp
 /// Lines that share more than a point become one, but for common sides of neighbouring shapes.
 void merge(Work& work, const Arranged& arranged);
 /// Lines that hang together on one straight line go onto a stronger such line beside them, with all
-/// that meets them.
-void weld(Work& work, const Arranged& arranged, const Rational& distance);
+/// that meets them. Only what has a line from `first_new` on is looked at: that of the others
+/// nothing goes onto another one is known.
+void weld(Work& work, const Arranged& arranged, const Rational& distance, LineId first_new);
 /// How far the lines that would go are from those that they would go onto, squared.
 std::vector<Rational> weld_offsets(Work& work, const Arranged& arranged, const Rational& distance);
 /// Vertices go to sites further apart than the distance, edges lead over the sites near them.
@@ -43,6 +44,6 @@ void give_slivers(Work& work, const Arranged& arranged, const Rational& distance
 /// closed by virtual lines, where that parts two faces.
 void close_doors(Work& work, const Range& doors, const std::vector<std::string>& wall_layers);
 /// Where edits since `first_edit` have left two lines end to end on one line, these become one.
-void dissolve(Work& work, const Arranged& arranged, std::size_t first_edit);
+void dissolve(Work& work, std::size_t first_edit);
 
 }  // namespace plumbline::repair_steps

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "repair/carriers.hpp"
 #include "repair/path.hpp"
@@ -25,17 +26,16 @@ Interval interval(const Carrier& c, const Carrier& of) {
 
 class Welding {
  public:
-  Welding(Work& work, const Arranged& arranged, const Rational& distance)
+  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  Welding(Work& work, const Arranged& arranged, const Rational& distance, const Pairs& pairs)
       : work_(work),
         arranged_(arranged),
         complex_(arranged.complex),
         squared_distance_(distance * distance),
-        all_(carriers_of(work, arranged)),
-        onto_(all_.carriers.size()) {
-    for (std::size_t i = 0; i < onto_.size(); ++i) onto_[i] = i;
-    beside_.resize(onto_.size());
-    for (const auto& [i, j] : side_by_side(work, arranged, distance)) {
-      const std::size_t c = all_.of_line[i], d = all_.of_line[j];
+        all_(work, arranged) {
+    for (const auto& [i, j] : pairs) {
+      const std::size_t c = all_.of_line(i), d = all_.of_line(j);
       if (c == d) continue;
       beside_[c].push_back(d);
       beside_[d].push_back(c);
@@ -61,20 +61,22 @@ class Welding {
   }
 
  private:
-  const Carrier& carrier(std::size_t i) const { return all_.carriers[i]; }
+  const Carrier& carrier(std::size_t i) { return all_[i]; }
+  /// Where it goes, or itself.
+  std::size_t final(std::size_t i) const {
+    const auto found = onto_.find(i);
+    return found == onto_.end() ? i : found->second;
+  }
 
   /// The strongest carriers first take the weaker ones beside them, and what is beside those.
   void choose() {
     std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < beside_.size(); ++i) {
-      if (!beside_[i].empty()) order.push_back(i);
-    }
+    for (const auto& [i, near] : beside_) order.push_back(i);
     std::ranges::sort(
         order, [&](std::size_t i, std::size_t j) { return is_stronger(carrier(i), carrier(j)); });
-    std::vector<char> is_settled(beside_.size());
+    std::set<std::size_t> settled;
     for (const std::size_t c : order) {
-      if (is_settled[c] != 0) continue;
-      is_settled[c] = 1;
+      if (!settled.insert(c).second) continue;
       Interval covered{0, 1};
       std::vector<std::size_t> near = beside_[c];
       for (bool again = true; again;) {
@@ -83,8 +85,8 @@ class Welding {
         near.erase(std::ranges::unique(near).begin(), near.end());
         const std::vector<std::size_t> tried = near;
         for (const std::size_t d : tried) {
-          if (is_settled[d] != 0 || !fits(carrier(c), carrier(d), covered)) continue;
-          is_settled[d] = 1;
+          if (settled.contains(d) || !fits(carrier(c), carrier(d), covered)) continue;
+          settled.insert(d);
           onto_[d] = c;
           const Interval more = interval(carrier(c), carrier(d));
           covered = {std::min(covered.low, more.low), std::max(covered.high, more.high)};
@@ -116,10 +118,10 @@ class Welding {
 
   /// Images of the vertices on what moves.
   void move_vertices() {
+    if (onto_.empty()) return;
     std::map<VertexId, std::vector<std::size_t>> through;  // final carriers
     for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
-      const std::size_t c = carrier_of_edge(EdgeId(e));
-      if (onto_[c] == c) continue;
+      if (!onto_.contains(all_.of_edge(EdgeId(e)))) continue;
       through[complex_.edges[e].tail];
       through[complex_.edges[e].head];
     }
@@ -127,7 +129,7 @@ class Welding {
     for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
       for (const VertexId v : {complex_.edges[e].tail, complex_.edges[e].head}) {
         const auto found = through.find(v);
-        if (found != through.end()) found->second.push_back(onto_[carrier_of_edge(EdgeId(e))]);
+        if (found != through.end()) found->second.push_back(final(all_.of_edge(EdgeId(e))));
       }
     }
     for (auto& [v, carriers] : through) {
@@ -139,14 +141,9 @@ class Welding {
     }
   }
 
-  /// All lines of an edge lie on one carrier.
-  std::size_t carrier_of_edge(EdgeId e) const {
-    return all_.of_line[complex_.edge_sources[e].front()];
-  }
-
   /// Where the strongest carrier through v meets the next strong one, no further away than twice
   /// the distance; else its foot.
-  Point image(const Point& v, const std::vector<std::size_t>& carriers) const {
+  Point image(const Point& v, const std::vector<std::size_t>& carriers) {
     const Carrier& first = carrier(carriers.front());
     for (std::size_t i = 1; i < carriers.size(); ++i) {
       const std::optional<Point> p = meeting(first, carrier(carriers[i]));
@@ -199,19 +196,21 @@ class Welding {
   const ExactComplex& complex_;
   Rational squared_distance_;
   Carriers all_;
-  std::vector<std::size_t> onto_;  ///< per carrier, the one that it goes onto, or itself
-  std::vector<std::vector<std::size_t>> beside_;
+  std::map<std::size_t, std::size_t> onto_;  ///< of what moves, the carrier that it goes onto
+  std::map<std::size_t, std::vector<std::size_t>> beside_;
   std::map<VertexId, Point> image_;
 };
 
 }  // namespace
 
 std::vector<Rational> weld_offsets(Work& work, const Arranged& arranged, const Rational& distance) {
-  return Welding(work, arranged, distance).squared_offsets();
+  const auto pairs = side_by_side(work, arranged, distance, LineId(std::size_t{0}));
+  return Welding(work, arranged, distance, pairs).squared_offsets();
 }
 
-void weld(Work& work, const Arranged& arranged, const Rational& distance) {
-  Welding(work, arranged, distance).run();
+void weld(Work& work, const Arranged& arranged, const Rational& distance, LineId first_new) {
+  const auto pairs = side_by_side(work, arranged, distance, first_new);
+  if (!pairs.empty()) Welding(work, arranged, distance, pairs).run();
 }
 
 }  // namespace plumbline::repair_steps

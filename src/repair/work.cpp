@@ -76,6 +76,13 @@ LineId Work::piece(LineId id, const Point& p, const Point& q) const {
   throw Error(ErrorCode::Internal, "a line under repair has lost a part");
 }
 
+bool Work::is_end(LineId id, const Point& p) const {
+  return std::ranges::any_of(pieces(id), [&](LineId piece) {
+    const Line found = line(piece);
+    return found.a == p || found.b == p;
+  });
+}
+
 LineId Work::ending_at(LineId id, const Point& p) const {
   for (const LineId piece : pieces(id)) {
     const Line found = line(piece);
@@ -215,5 +222,27 @@ std::vector<LineId> Arranged::lines(EdgeId e) const {
 }
 
 Arranged arranged(const Work& work) { return {arrange(work.drawing()), work.lines()}; }
+
+void rename_lines(Arranged& arranged, const Work& work) {
+  const std::vector<LineId> lines = work.lines();
+  std::vector<SegmentId> place(work.count());
+  for (std::size_t i = 0; i < lines.size(); ++i) place[lines[i]] = SegmentId(i);
+  for (const LineId id : arranged.line_of) {
+    if (!work.is_there(id)) place[id] = place[work.pieces(id).front()];
+  }
+  const Lists<SegmentId> before = std::move(arranged.complex.edge_sources);
+  Lists<SegmentId>& sources = arranged.complex.edge_sources = {};
+  sources.reserve(before.size(), before.flat().size());
+  std::vector<SegmentId> renamed;
+  for (std::size_t e = 0; e < before.size(); ++e) {
+    renamed.clear();
+    for (const SegmentId s : before[e]) renamed.push_back(place[arranged.line_of[s]]);
+    std::ranges::sort(renamed);
+    const auto repeated = std::ranges::unique(renamed);
+    renamed.erase(repeated.begin(), repeated.end());
+    sources.push_back(renamed);
+  }
+  arranged.line_of = lines;
+}
 
 }  // namespace plumbline::repair_steps

@@ -20,6 +20,8 @@ class Work {
   const std::vector<Edit>& edits() const { return edits_; }
   /// All lines that there are, by the first of their segments.
   std::vector<LineId> lines() const;
+  /// Of all lines that there are and were.
+  std::size_t count() const { return is_there_.size(); }
   bool is_there(LineId id) const { return is_there_[id] != 0; }
   Line line(LineId id) const;
   SegmentD rounded(LineId id) const;
@@ -37,6 +39,8 @@ class Work {
   /// The piece that has p and q, which the line had. Requires: there is one.
   LineId piece(LineId id, const Point& p, const Point& q) const;
 
+  /// Whether one of the pieces ends at p.
+  bool is_end(LineId id, const Point& p) const;
   /// The piece that ends at p. Requires: there is one.
   LineId ending_at(LineId id, const Point& p) const;
 
@@ -86,5 +90,8 @@ struct Arranged {
   std::vector<LineId> lines(EdgeId e) const;
 };
 Arranged arranged(const Work& work);
+/// After edits that move, add and remove nothing: the same arrangement, of the lines that there are
+/// now.
+void rename_lines(Arranged& arranged, const Work& work);
 
 }  // namespace plumbline::repair_steps
