@@ -54,38 +54,69 @@ struct Ends {
   PointD unit;
 };
 
+/// Where lines end, and which: ends that are one point are so together.
+struct EndPoints {
+  std::vector<std::pair<PointD, std::size_t>> ends;  ///< ascending; with the line
+
+  explicit EndPoints(const std::vector<Ends>& lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      ends.emplace_back(lines[i].line.a, i);
+      ends.emplace_back(lines[i].line.b, i);
+    }
+    std::ranges::sort(ends, [](const auto& p, const auto& q) {
+      return p.first == q.first ? p.second < q.second : p.first < q.first;
+    });
+  }
+};
+
 /// Calls visit(i, j) where an end of line i is within reach of line j and one of them is new.
 template <class Visit>
 void for_each_near_end(const std::vector<Ends>& lines, double reach, const Visit& visit) {
-  std::vector<Edge> edges;  // of all lines, or of the new ones
+  std::vector<Edge> edges;  // of the new lines
   std::vector<PointD> ends;
   std::vector<std::size_t> line_of;
-  std::vector<BoxD> new_ends;
-  const bool all_new = std::ranges::all_of(lines, [](const Ends& line) { return line.is_new; });
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i].is_new) continue;
     edges.push_back({VertexId(ends.size()), VertexId(ends.size() + 1)});
-    for (const PointD& end : {lines[i].line.a, lines[i].line.b}) {
-      ends.push_back(end);
-      if (!all_new) new_ends.push_back(grown({end, end}, reach));
-    }
+    ends.push_back(lines[i].line.a);
+    ends.push_back(lines[i].line.b);
     line_of.push_back(i);
   }
   if (edges.empty()) return;
   const diagnose_steps::EdgeTree tree(edges, ends);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (const PointD& end : {lines[i].line.a, lines[i].line.b}) {
-      tree.visit(end, reach, [&](EdgeId e, const auto& /*foot*/) {
-        if (line_of[e] != i) visit(i, line_of[e]);
-      });
+  const EndPoints points(lines);
+  std::vector<std::size_t> near;
+  for (std::size_t first = 0; first < points.ends.size();) {
+    const PointD p = points.ends[first].first;
+    near.clear();
+    tree.visit(p, reach, [&](EdgeId e, const auto& /*foot*/) { near.push_back(line_of[e]); });
+    for (; first < points.ends.size() && points.ends[first].first == p; ++first) {
+      for (const std::size_t j : near) {
+        if (points.ends[first].second != j) visit(points.ends[first].second, j);
+      }
     }
   }
-  if (all_new) return;
-  const BoxTree boxes(new_ends);
+  if (line_of.size() == lines.size()) return;
+  std::vector<BoxD> boxes;
+  for (const PointD& end : ends) boxes.push_back(grown({end, end}, reach));
+  const BoxTree new_ends(boxes);
   for (std::size_t j = 0; j < lines.size(); ++j) {
     if (lines[j].is_new) continue;
-    for (const std::size_t k : boxes.meeting(lines[j].line)) visit(line_of[k / 2], j);
+    for (const std::size_t k : new_ends.meeting(lines[j].line)) visit(line_of[k / 2], j);
   }
+}
+
+/// Whether lines may lie beside each other for more than the reach: both ends of the shorter one,
+/// then, are near the other one.
+bool may_be_beside(const Ends& p, const Ends& q, double reach) {
+  const Ends &shorter = p.length < q.length ? p : q, &longer = p.length < q.length ? q : p;
+  const double turn = shorter.unit.x * longer.unit.y - shorter.unit.y * longer.unit.x;
+  if (std::abs(turn) * shorter.length > 2 * reach) return false;
+  const auto along = [&](const PointD& r) {
+    return (r.x - longer.line.a.x) * longer.unit.x + (r.y - longer.line.a.y) * longer.unit.y;
+  };
+  const double t = along(shorter.line.a), u = along(shorter.line.b);
+  return std::min(std::max(t, u), longer.length) - std::max(std::min(t, u), 0.0) > reach * 0.99;
 }
 
 struct Between {
@@ -145,10 +176,7 @@ std::vector<std::pair<std::size_t, std::size_t>> side_by_side(const Work& work,
   const double reach = nearest_double(distance) * (1 + 0x1p-30) + largest * 0x1p-45;
   std::vector<std::pair<std::size_t, std::size_t>> result;
   for_each_near_end(lines, reach, [&](std::size_t i, std::size_t j) {
-    // Both ends of the shorter one are beside the other: it deviates by no more than that.
-    const Ends &p = lines[i], &q = lines[j];
-    if (std::abs(p.unit.x * q.unit.y - p.unit.y * q.unit.x) * std::min(p.length, q.length) <=
-        2 * reach) {
+    if (may_be_beside(lines[i], lines[j], reach)) {
       result.emplace_back(std::min(i, j), std::max(i, j));
     }
   });

@@ -98,11 +98,12 @@ class Welding {
   }
 
   /// Whether d may go onto c: as it is and as it was authored it lies within the distance, beside
-  /// what c covers, and it is no detail as small as the distance.
+  /// what c covers for more than the distance, and it is no detail as small as that.
   bool fits(const Carrier& c, const Carrier& d, const Interval& covered) const {
     if (d.is_anchored || d.squared_length <= 4 * squared_distance_) return false;
     const Interval own = interval(c, d);
-    if (own.high <= covered.low || own.low >= covered.high) return false;
+    const Rational both = std::min(own.high, covered.high) - std::max(own.low, covered.low);
+    if (sgn(both) <= 0 || both * both * c.squared_length <= squared_distance_) return false;
     if (!is_near(c, d.a) || !is_near(c, d.b)) return false;
     for (const LineId id : d.lines) {
       for (const SegmentId s : work_.line(id).segments) {
