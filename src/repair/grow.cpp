@@ -38,8 +38,14 @@ class Race {
     collect_arrivals();
   }
 
-  /// Where each runner ends; none where it meets nothing.
-  std::vector<std::optional<Point>> run() {
+  /// Where a runner ends, and whether the drawing was there before.
+  struct End {
+    Point point;
+    bool is_drawn = false;
+  };
+
+  /// None for a runner that meets nothing.
+  std::vector<std::optional<End>> run() {
     std::vector<VertexId> stop(tips_.size()), kept(tips_.size());
     std::vector<std::size_t> reached(complex_.vertices.size(), kNobody);
     for (std::size_t i = 0; i < arrivals_.size();) {
@@ -57,10 +63,10 @@ class Race {
       }
       if (reached[v] == kNobody) reached[v] = running.front();
     }
-    std::vector<std::optional<Point>> result(tips_.size());
+    std::vector<std::optional<End>> result(tips_.size());
     for (std::size_t r = 0; r < tips_.size(); ++r) {
       const VertexId v = stop[r].valid() ? stop[r] : kept[r];
-      if (v.valid()) result[r] = complex_.vertices[v];
+      if (v.valid()) result[r] = End{complex_.vertices[v], is_drawn_[v] != 0};
     }
     return result;
   }
@@ -169,17 +175,18 @@ std::vector<Growth> growths(const Work& work, const Arranged& arranged, const Ra
   std::vector<Growth> result;
   const std::vector<Tip> tips = growing_tips(work, arranged);
   if (tips.empty()) return result;
-  std::vector<std::optional<Point>> ends = Race(work, arranged, tips, reach).run();
+  std::vector<std::optional<Race::End>> ends = Race(work, arranged, tips, reach).run();
   for (const auto& [t, u] : facing_pairs(tips)) {
-    if (!ends[t] || !ends[u] || !(*ends[t] == *ends[u])) continue;
+    if (!ends[t] || !ends[u] || !(ends[t]->point == ends[u]->point) || ends[t]->is_drawn) continue;
     Rational gap = squared_distance(tips[t].point, tips[u].point);
     if (gap > reach * reach) continue;
-    result.push_back({tips[t], tips[u], *ends[t], std::move(gap)});
+    result.push_back({tips[t], tips[u], ends[t]->point, std::move(gap)});
     ends[t] = ends[u] = std::nullopt;
   }
   for (std::size_t t = 0; t < tips.size(); ++t) {
     if (!ends[t]) continue;
-    result.push_back({tips[t], std::nullopt, *ends[t], squared_distance(tips[t].point, *ends[t])});
+    result.push_back(
+        {tips[t], std::nullopt, ends[t]->point, squared_distance(tips[t].point, ends[t]->point)});
   }
   return result;
 }

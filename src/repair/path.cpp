@@ -10,9 +10,10 @@ std::vector<Line> lines_along(const std::vector<Point>& path,
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Point &p = path[i - 1], &q = path[i];
     if (p == q) continue;
-    if (!result.empty() && orientation(result.back().a, result.back().b, q) == 0) {
-      result.back().a = std::min(result.back().a, q);
-      result.back().b = std::max(result.back().b, q);
+    const bool goes_on = !result.empty() && (result.back().a == p ? q < p : p < q) &&
+                         orientation(result.back().a, result.back().b, q) == 0;
+    if (goes_on) {
+      (result.back().a == p ? result.back().a : result.back().b) = q;
     } else {
       result.push_back({std::min(p, q), std::max(p, q), segments});
     }

@@ -6,8 +6,8 @@
 
 namespace plumbline::repair_steps {
 
-/// The lines of a path over points, as few as cover it; points that are the same, and ways back,
-/// make none.
+/// The lines of a path over points, one for what goes straight on; points that are the same make
+/// none.
 std::vector<Line> lines_along(const std::vector<Point>& path,
                               const std::vector<SegmentId>& segments);
 

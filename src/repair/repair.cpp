@@ -25,8 +25,12 @@ class Repairing {
     bool is_settled = false;
     for (std::size_t round = 0; round < kMostRounds && !is_settled; ++round) {
       const std::size_t edits = work_.edits().size();
+      const LineId first_looked_at = first_not_welded_;
       run_once(round == 0);
-      is_settled = work_.edits().size() == edits;
+      if (work_.edits().size() > edits) continue;
+      // Carriers grow with what is welded to them: in the end all of them are looked at once more.
+      is_settled = first_looked_at == kFirst || sgn(result_.tolerances.weld) == 0;
+      first_not_welded_ = kFirst;
     }
     if (!is_settled) return Breach{"there is no end of edits", work_.edits().back().where, {}};
     if (sgn(result_.tolerances.grow) > 0) refuse_open_ends(work_, now_, result_.tolerances.grow);
@@ -96,12 +100,14 @@ class Repairing {
     if (looked_at_ == 0) before_ = now_.complex;
   }
 
+  static constexpr LineId kFirst{std::size_t{0}};
+
   const RepairOptions& options_;
   Repair& result_;
   Work work_;
   Choice choice_;
   Arranged now_;
-  LineId first_not_welded_{std::size_t{0}};
+  LineId first_not_welded_ = kFirst;  ///< lines before are known to go nowhere
   ExactComplex before_;
   std::size_t looked_at_ = static_cast<std::size_t>(-1);  ///< edits of which `now_` knows
 };
