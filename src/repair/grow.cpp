@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "geometry/box_tree.hpp"
@@ -192,7 +193,19 @@ std::vector<Growth> growths(const Work& work, const Arranged& arranged, const Ra
 }
 
 void grow(Work& work, const Arranged& arranged, const Rational& reach) {
+  std::set<Point> grown;  // to where ends have run before
+  for (const Edit& edit : work.edits()) {
+    if (edit.kind != EditKind::Grow) continue;
+    const Line &before = edit.before.front(), &after = edit.after.front();
+    grown.insert(before.a == after.a ? after.b : after.a);
+  }
   for (const Growth& growth : growths(work, arranged, reach)) {
+    if (grown.contains(growth.tip.point) || (growth.other && grown.contains(growth.other->point))) {
+      work.refuse(EditKind::Grow, growth.tip.point, growth.squared_length,
+                  "an end that has grown would have to grow on, since what it met has gone",
+                  {growth.tip.line});
+      continue;
+    }
     if (growth.other) {
       bridge(work, growth);
       continue;

@@ -65,11 +65,25 @@ class Repairing {
     if (is_first) {
       tolerances.sliver = options_.sliver ? *options_.sliver : choice_.sliver(work_, now_);
     }
-    if (sgn(tolerances.sliver) > 0) give_slivers(work_, now_, tolerances.sliver);
+    if (sgn(tolerances.sliver) > 0) {
+      repeat([&] { give_slivers(work_, now_, tolerances.sliver); });
+    }
     if (tolerances.doors) close_doors(work_, *tolerances.doors, options_.walls);
     look_anew();
-    if (sgn(tolerances.simplify) > 0) simplify(work_, now_, tolerances.simplify);
+    if (sgn(tolerances.simplify) > 0) {
+      repeat([&] { simplify(work_, now_, tolerances.simplify); });
+    }
     dissolve(work_, first_edit);
+  }
+
+  /// Until it finds nothing to do, which is sure to be: each time something goes.
+  template <class Step>
+  void repeat(const Step& step) {
+    for (std::size_t edits = static_cast<std::size_t>(-1); edits != work_.edits().size();) {
+      edits = work_.edits().size();
+      step();
+      look_anew();
+    }
   }
 
   void merge_lines() {
@@ -112,9 +126,9 @@ class Repairing {
   std::size_t looked_at_ = static_cast<std::size_t>(-1);  ///< edits of which `now_` knows
 };
 
-/// Moving lines is what can go wrong: some other line may be in the way. Turns off one operation
-/// that does, and says so. Throws: Error Internal where none is on.
-Refusal give_up_movement(RepairOptions& options, const Tolerances& used, const Breach& breach) {
+/// Turns off the operation that goes furthest, and says so: something else was in its way. Throws:
+/// Error Internal where none is on.
+Refusal give_up_one(RepairOptions& options, const Tolerances& used, const Breach& breach) {
   const auto refusal = [&](EditKind kind, const Rational& size) {
     return Refusal{kind,
                    breach.where,
@@ -122,17 +136,21 @@ Refusal give_up_movement(RepairOptions& options, const Tolerances& used, const B
                    "given up as a whole, since it would break a promise: " + breach.message,
                    {}};
   };
-  if (sgn(used.simplify) > 0) {
-    options.simplify = 0;
-    return refusal(EditKind::Simplify, used.simplify);
+  for (const auto& [kind, size, option] :
+       {std::tuple(EditKind::Simplify, &used.simplify, &options.simplify),
+        std::tuple(EditKind::Snap, &used.snap, &options.snap)}) {
+    if (sgn(*size) == 0) continue;
+    *option = 0;
+    return refusal(kind, *size);
   }
-  if (sgn(used.snap) > 0) {
-    options.snap = 0;
-    return refusal(EditKind::Snap, used.snap);
-  }
-  if (sgn(used.weld) > 0) {
-    options.weld = 0;
-    return refusal(EditKind::Weld, used.weld);
+  for (const auto& [kind, size, option] :
+       {std::tuple(EditKind::Weld, &used.weld, &options.weld),
+        std::tuple(EditKind::Sliver, &used.sliver, &options.sliver),
+        std::tuple(EditKind::Trim, &used.trim, &options.trim),
+        std::tuple(EditKind::Grow, &used.grow, &options.grow)}) {
+    if (sgn(*size) == 0) continue;
+    *option = 0;
+    return refusal(kind, *size);
   }
   throw Error(ErrorCode::Internal, "a repair breaks its promise: " + breach.message, {},
               to_text(breach.where));
@@ -154,7 +172,7 @@ Repair repair(const SegmentSet& input, const RepairOptions& options) {
       result.refused.insert(result.refused.begin(), given_up.begin(), given_up.end());
       return result;
     }
-    given_up.push_back(give_up_movement(now, result.tolerances, *breach));
+    given_up.push_back(give_up_one(now, result.tolerances, *breach));
   }
 }
 

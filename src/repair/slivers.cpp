@@ -35,7 +35,7 @@ class Slivers {
         squared_distance_(distance * distance),
         reach_(nearest_double(distance) * (1 + 0x1p-30) + graph_.slack()) {}
 
-  /// For each sliver what is to go, the smallest first; each face is part of one at most.
+  /// For each sliver what is to go, the smallest first; none of a face that receives another one.
   std::vector<Gift> find() const {
     std::vector<Gift> all;
     for (std::size_t f = 1; f < complex_.face_count(); ++f) {
@@ -46,11 +46,11 @@ class Slivers {
       return by_area != 0 ? by_area < 0 : g.face < h.face;
     });
     std::vector<Gift> result;
-    std::set<FaceId> taken;
+    std::set<FaceId> given, receiving;
     for (Gift& gift : all) {
-      if (taken.contains(gift.face) || taken.contains(gift.neighbour)) continue;
-      taken.insert(gift.face);
-      taken.insert(gift.neighbour);
+      if (receiving.contains(gift.face) || given.contains(gift.neighbour)) continue;
+      given.insert(gift.face);
+      receiving.insert(gift.neighbour);
       result.push_back(std::move(gift));
     }
     return result;
