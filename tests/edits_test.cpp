@@ -70,7 +70,7 @@ TEST_CASE("honest repairs keep their promises, say what became of faces, and can
       {corner(), "closed 0 -> 80 by grow\n"},
       {pieces(), "closed 0 -> 80 by bridge bridge\n"},
       {door(), "split 72 -> 36 by door\nsplit 72 -> 36 by door\n"},
-      {doubled(), "changed 31.992 -> 32 by weld weld\nchanged 48.008 -> 48 by weld weld\n"},
+      {doubled(), "changed 31.992 -> 32 by weld\nchanged 48.008 -> 48 by weld\n"},
       {dangles(), ""},
       {thin(), "joined 0.05 -> 40 by sliver\nchanged 39.95 -> 40 by sliver\n"},
       {simplified(), "changed 40.05 -> 40 by simplify\nchanged 39.95 -> 40 by simplify\n"},

@@ -5,8 +5,11 @@
 namespace plumbline::edits {
 namespace {
 
-/// Whether an edit of this kind can do this to a face. What is trimmed and merged is no border.
+/// Whether an edit of this kind can do this to a face. What is trimmed or merged is no border; only
+/// what is added or moved parts a face, only what is removed or moved joins two.
 bool can_do(EditKind kind, FaceFate fate) {
+  const bool parts = fate == FaceFate::Closed || fate == FaceFate::Split;
+  const bool joins = fate == FaceFate::Opened || fate == FaceFate::Joined;
   switch (kind) {
     case EditKind::Merge:
     case EditKind::Dissolve:
@@ -16,9 +19,9 @@ bool can_do(EditKind kind, FaceFate fate) {
     case EditKind::Bridge:
     case EditKind::Joint:
     case EditKind::Door:
-      return fate == FaceFate::Closed || fate == FaceFate::Split;
+      return !joins;
     case EditKind::Sliver:
-      return fate != FaceFate::Closed && fate != FaceFate::Split;
+      return !parts;
     default:
       return true;
   }

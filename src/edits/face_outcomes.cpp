@@ -59,19 +59,24 @@ Both<std::map<FaceId, FaceId>> partners(const CommonAreas& areas) {
   return result;
 }
 
-/// The edges that are borders of a face on one side only.
-using ChangedBorders = Both<std::map<FaceId, std::vector<EdgeId>>>;
+/// Per pair of faces the edges around what they have in common that are a border on one side only.
+using ChangedBorders = std::map<std::pair<FaceId, FaceId>, std::vector<EdgeId>>;
 
 ChangedBorders changed_borders(const FaceOverlay& overlay) {
   ChangedBorders result;
   for (std::size_t e = 0; e < overlay.complex.edge_count(); ++e) {
     if (overlay.is_border[Before][e] == overlay.is_border[After][e]) continue;
-    const Side side = overlay.is_border[Before][e] ? Before : After;
     for (const bool is_right : {false, true}) {
       const FaceId f = overlay.complex.halfedge_face[halfedge(EdgeId(e), is_right)];
-      result[side][overlay.face[side][f]].push_back(EdgeId(e));
+      result[{overlay.face[Before][f], overlay.face[After][f]}].push_back(EdgeId(e));
     }
   }
+  return result;
+}
+
+std::map<FaceId, Rational> areas_of(const ExactComplex& complex, const std::vector<FaceId>& faces) {
+  std::map<FaceId, Rational> result = {{kUnbounded, 0}};
+  for (const FaceId f : faces) result[f] = face_area(complex, f);
   return result;
 }
 
@@ -79,8 +84,9 @@ class Outcomes {
  public:
   Outcomes(const Complexes& complexes, const Both<std::vector<FaceId>>& changed,
            const std::vector<Edit>& all_edits)
-      : complexes_(complexes),
-        changed_(changed),
+      : changed_(changed),
+        face_areas_{areas_of(*complexes[Before], changed[Before]),
+                    areas_of(*complexes[After], changed[After])},
         overlay_(edits::overlay(complexes, changed, all_edits)),
         areas_(common_areas(overlay_)),
         partners_(partners(areas_)),
@@ -120,45 +126,45 @@ class Outcomes {
   FaceId parent(FaceId after) const { return partners_[After].at(after); }
   FaceId heir(FaceId before) const { return partners_[Before].at(before); }
 
+  const Rational& area(Side side, FaceId f) const { return face_areas_[side].at(f); }
+
   bool is_same(FaceId before, FaceId after) const {
     const Rational& common = areas_.at({before, after}).area;
-    return common == face_area(*complexes_[Before], before) &&
-           common == face_area(*complexes_[After], after);
+    return common == area(Before, before) && common == area(After, after);
   }
 
   FaceOutcome outcome(FaceFate fate, FaceId before, FaceId after) const {
     return {.fate = fate,
             .before = before,
             .after = after,
-            .area_before = face_area(*complexes_[Before], before),
-            .area_after = face_area(*complexes_[After], after),
+            .area_before = area(Before, before),
+            .area_after = area(After, after),
             .where = interior_point(overlay_.complex, areas_.at({before, after}).largest),
             .edits = edits_between(before, after)};
   }
 
-  /// Those that drew or removed a border of one of the faces.
+  /// Those that drew or removed borders of what the faces have in common. If all of its border were
+  /// drawn before and after, both faces would be that.
   std::vector<std::size_t> edits_between(FaceId before, FaceId after) const {
     std::vector<std::size_t> result;
-    const Both<FaceId> faces = {before, after};
-    for (const Side side : edits::kSides) {
-      const auto place = borders_[side].find(faces[side]);
-      if (faces[side] == kUnbounded || place == borders_[side].end()) continue;
-      for (const EdgeId e : place->second) {
-        const Edge edge = overlay_.complex.edges[e];
-        const Segment piece = {overlay_.complex.vertices[edge.tail],
-                               overlay_.complex.vertices[edge.head]};
-        const std::vector<std::size_t> some =
-            side == Before ? edit_lines_.that_removed(piece) : edit_lines_.that_drew(piece);
-        result.insert(result.end(), some.begin(), some.end());
-      }
+    const auto place = borders_.find({before, after});
+    if (place == borders_.end()) return result;
+    for (const EdgeId e : place->second) {
+      const Edge edge = overlay_.complex.edges[e];
+      const Segment piece = {overlay_.complex.vertices[edge.tail],
+                             overlay_.complex.vertices[edge.head]};
+      const std::vector<std::size_t> some = overlay_.is_border[Before][e]
+                                                ? edit_lines_.that_removed(piece)
+                                                : edit_lines_.that_drew(piece);
+      result.insert(result.end(), some.begin(), some.end());
     }
     std::ranges::sort(result);
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
-  const Complexes complexes_;
   const Both<std::vector<FaceId>>& changed_;
+  const Both<std::map<FaceId, Rational>> face_areas_;
   const FaceOverlay overlay_;
   const CommonAreas areas_;
   const Both<std::map<FaceId, FaceId>> partners_;

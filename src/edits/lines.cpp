@@ -1,7 +1,6 @@
 #include "edits/lines.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "plumbline/error.hpp"
@@ -64,23 +63,6 @@ Rational farthest_end(std::span<const Segment> from, std::span<const Segment> to
     most = std::max({most, squared_distance(s.a, to), squared_distance(s.b, to)});
   }
   return most;
-}
-
-bool hang_together(const Point& start, std::span<const Segment> segments) {
-  std::map<Point, std::vector<Point>> next;
-  for (const Segment& s : segments) {
-    next[s.a].push_back(s.b);
-    next[s.b].push_back(s.a);
-  }
-  std::vector<Point> reached = {start};
-  while (!reached.empty()) {
-    const auto place = next.find(reached.back());
-    reached.pop_back();
-    if (place == next.end()) continue;
-    reached.insert(reached.end(), place->second.begin(), place->second.end());
-    next.erase(place);
-  }
-  return next.empty();
 }
 
 std::vector<SegmentId> segments_of(std::span<const Line> lines) {

@@ -25,9 +25,6 @@ Rational squared_distance(const Point& p, std::span<const Segment> segments);
 /// The largest of these least ones of all ends of `from`; 0 for none. Requires: `to` has some.
 Rational farthest_end(std::span<const Segment> from, std::span<const Segment> to);
 
-/// Whether the segments hang together by their ends, and with the point.
-bool hang_together(const Point& start, std::span<const Segment> segments);
-
 /// All input segments that the lines stand for, ascending, each once.
 std::vector<SegmentId> segments_of(std::span<const Line> lines);
 bool share_segment(std::span<const SegmentId> a, std::span<const SegmentId> b);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "edits/rules.hpp"
+#include "geometry/union_find.hpp"
 
 namespace plumbline::edits {
 namespace {
@@ -13,6 +14,24 @@ namespace {
 bool is_small(const std::vector<Segment>& segments, const Rational& limit) {
   return std::ranges::all_of(
       segments, [&](const Segment& s) { return squared_distance(s.a, s.b) <= 4 * limit * limit; });
+}
+
+/// Whether the lines hang together, end on line.
+bool is_connected(const std::vector<Line>& lines) {
+  const auto touch = [](const Line& l, const Line& m) {
+    return on_segment(l.a, l.b, m.a) || on_segment(l.a, l.b, m.b);
+  };
+  UnionFind sets(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (sets.find(i) == sets.find(j)) continue;
+      if (touch(lines[i], lines[j]) || touch(lines[j], lines[i])) sets.unite(i, j);
+    }
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (sets.find(i) != 0) return false;
+  }
+  return true;
 }
 
 /// What moves goes no farther than the edit says, from where it was or from where it was authored.
@@ -54,7 +73,7 @@ std::string wrong_movement(const Edit& edit, const Tolerances& tolerances,
   if (edit.after.empty()) {
     return is_small(from, limit) ? "" : "makes a point of a line that is longer than it goes";
   }
-  if (!hang_together(edit.after.front().a, extents_of(edit.after))) return "tears a line apart";
+  if (!is_connected(edit.after)) return "tears a line apart";
   const Rational left = farthest_end(from, extents_of(edit.after));
   if (left > 4 * limit * limit) return "leaves an end behind by " + length_text(left);
   if (edit.kind == EditKind::Simplify && left > edit.squared_size) {

@@ -1,6 +1,7 @@
 // Trim and Sliver: what stays of a line is a part of it.
 
 #include <algorithm>
+#include <map>
 
 #include "edits/rules.hpp"
 
@@ -11,6 +12,24 @@ bool is_part(const Line& part, std::span<const Line> lines) {
   return std::ranges::any_of(lines, [&](const Line& line) {
     return line.segments == part.segments && covers(extent_of(line), extent_of(part));
   });
+}
+
+/// Whether the segments hang together by their ends, and with the point.
+bool hang_together(const Point& start, std::span<const Segment> segments) {
+  std::map<Point, std::vector<Point>> next;
+  for (const Segment& s : segments) {
+    next[s.a].push_back(s.b);
+    next[s.b].push_back(s.a);
+  }
+  std::vector<Point> reached = {start};
+  while (!reached.empty()) {
+    const auto place = next.find(reached.back());
+    reached.pop_back();
+    if (place == next.end()) continue;
+    reached.insert(reached.end(), place->second.begin(), place->second.end());
+    next.erase(place);
+  }
+  return next.empty();
 }
 
 std::string wrong_reach(const Edit& edit, const std::vector<Segment>& gone) {
