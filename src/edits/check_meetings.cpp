@@ -98,6 +98,13 @@ bool met(const SegmentSet& input, const Point& p, const Bundle& b, const Bundle&
   return false;
 }
 
+bool is_added_near(const Moves& moves, const Point& p, const Bundle& bundle,
+                   const Rational& squared_bound) {
+  return std::ranges::any_of(moves.added_to(bundle.origins), [&](const Segment& piece) {
+    return squared_distance(p, piece.a, piece.b) <= squared_bound;
+  });
+}
+
 /// Whether what was drawn for the bundle begins, ends or was added so near.
 bool ends_near(const SegmentSet& input, const Moves& moves, const Point& p, const Bundle& bundle,
                const Rational& squared_bound) {
@@ -106,9 +113,7 @@ bool ends_near(const SegmentSet& input, const Moves& moves, const Point& p, cons
     if (squared_distance(p, segment.a) <= squared_bound) return true;
     if (squared_distance(p, segment.b) <= squared_bound) return true;
   }
-  return std::ranges::any_of(moves.added_to(bundle.origins), [&](const Segment& piece) {
-    return squared_distance(p, piece.a, piece.b) <= squared_bound;
-  });
+  return is_added_near(moves, p, bundle, squared_bound);
 }
 
 bool is_right(const SegmentSet& input, const Moves& moves, const Point& p, const Bundle& b,
@@ -119,7 +124,11 @@ bool is_right(const SegmentSet& input, const Moves& moves, const Point& p, const
   const Rational bound = moves.bound(both), squared = bound * bound;
   // Vertices that are near each other become one by snapping, whatever leads through them.
   if (moves.is_snapped(both)) {
-    return !passing(input, p, b, squared).empty() && !passing(input, p, c, squared).empty();
+    const auto is_near = [&](const Bundle& bundle) {
+      return !passing(input, p, bundle, squared).empty() ||
+             is_added_near(moves, p, bundle, squared);
+    };
+    return is_near(b) && is_near(c);
   }
   return met(input, p, b, c, squared) || ends_near(input, moves, p, b, squared) ||
          ends_near(input, moves, p, c, squared);

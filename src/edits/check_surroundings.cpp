@@ -56,15 +56,24 @@ class Surroundings {
     });
   }
 
+  /// Whether all other lines at the end of a line end there, too, and lie over it.
+  bool is_loose(const Point& p, const Segment& line, const Edit& edit, std::size_t state) const {
+    const std::vector<Line> others = others_at(p, edit, state, state);
+    return std::ranges::all_of(others, [&](const Line& other) {
+      return (other.a == p || other.b == p) && is_collinear(line, extent_of(other)) &&
+             meets_inside(line, extent_of(other));
+    });
+  }
+
   std::string wrong_growth(std::size_t t, std::size_t start) const {
     const Edit& edit = edits_[t];
     const std::vector<Segment> pieces = added(edit);
-    const std::vector<Segment> lines = extents_of(edit.before);
     for (const Segment& piece : pieces) {
       for (const Point& p : {piece.a, piece.b}) {
-        const bool is_loose_end = std::ranges::any_of(
-            lines, [&](const Segment& line) { return line.a == p || line.b == p; });
-        if (is_loose_end && !others_at(p, edit, start, start).empty()) {
+        const auto own = std::ranges::find_if(
+            edit.before, [&](const Line& line) { return line.a == p || line.b == p; });
+        const bool is_loose_end = own != edit.before.end();
+        if (is_loose_end && !is_loose(p, extent_of(*own), edit, start)) {
           return "starts at an end that is not loose";
         }
         if (edit.kind == EditKind::Grow && !is_loose_end &&
