@@ -124,6 +124,11 @@ std::vector<Forgery> forged_closings() {
                      {line("0 0 10 0", {0, 2})}}};
        },
        "goes past what it meets first"},
+      {"a bridge across two walls",
+       made("two walls", "0 0 4 0  4.02 0 8 0  4.01 -1 4.01 1  4.015 -1 4.015 1",
+            up_to(&Tolerances::grow, "0.1"), {}),
+       [](Repair& r) { r.edits = meeting_on_wall().repair.edits; },
+       "goes past what it meets first"},
       {"a joint of a corner", corner(),
        [](Repair& r) {
          r.edits = {{EditKind::Joint,

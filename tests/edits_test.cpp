@@ -69,6 +69,7 @@ TEST_CASE("honest repairs keep their promises, say what became of faces, and can
   const std::vector<Case> cases = {
       {corner(), "closed 0 -> 80 by grow\n"},
       {pieces(), "closed 0 -> 80 by bridge bridge\n"},
+      {meeting_on_wall(), ""},
       {door(), "split 72 -> 36 by door\nsplit 72 -> 36 by door\n"},
       {doubled(), "changed 31.992 -> 32 by weld\nchanged 48.008 -> 48 by weld\n"},
       {dangles(), ""},

@@ -64,15 +64,9 @@ std::optional<Rational> distance_from_meeting(const Point& p, const Segment& s, 
     if (high < low) return {};
     return squared_distance(p, low, high);
   }
-  const Rational x = s.b.x - s.a.x, y = s.b.y - s.a.y;
-  const Rational turn = x * (t.b.y - t.a.y) - y * (t.b.x - t.a.x);
-  if (turn == 0) return {};
-  const Rational part =
-      ((t.a.x - s.a.x) * (t.b.y - t.a.y) - (t.a.y - s.a.y) * (t.b.x - t.a.x)) / turn;
-  if (part < 0 || part > 1) return {};
-  const Point meeting = {s.a.x + part * x, s.a.y + part * y};
-  if (!on_segment(t.a, t.b, meeting)) return {};
-  return squared_distance(p, meeting);
+  const std::optional<Point> meeting = crossing(s, t);
+  if (!meeting) return {};
+  return squared_distance(p, *meeting);
 }
 
 /// The segments of a bundle that pass so near.

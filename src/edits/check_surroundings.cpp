@@ -81,13 +81,22 @@ class Surroundings {
           return "ends on nothing";
         }
       }
-      for (const Line& line : drawing_.around(piece, start, start)) {
-        if (!is_own(line, edit) && meets_inside(piece, extent_of(line))) {
-          return "goes past what it meets first";
-        }
-      }
+      if (passes_meeting(piece, edit, start)) return "goes past what it meets first";
     }
     return "";
+  }
+
+  /// Whether other lines meet a piece between its ends. The ends of a bridge may come from both
+  /// sides to one point of them.
+  bool passes_meeting(const Segment& piece, const Edit& edit, std::size_t state) const {
+    std::optional<Point> first;
+    for (const Line& line : drawing_.around(piece, state, state)) {
+      if (is_own(line, edit) || !meets_inside(piece, extent_of(line))) continue;
+      const std::optional<Point> meeting = crossing(piece, extent_of(line));
+      if (edit.kind != EditKind::Bridge || !meeting || (first && *first != *meeting)) return true;
+      first = meeting;
+    }
+    return false;
   }
 
   std::string wrong_door(std::size_t t) const {

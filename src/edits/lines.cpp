@@ -32,6 +32,18 @@ bool meets_inside(const Segment& segment, const Segment& other) {
          orientation(other.a, other.b, segment.a) * orientation(other.a, other.b, segment.b) < 0;
 }
 
+std::optional<Point> crossing(const Segment& s, const Segment& t) {
+  const Rational x = s.b.x - s.a.x, y = s.b.y - s.a.y;
+  const Rational turn = x * (t.b.y - t.a.y) - y * (t.b.x - t.a.x);
+  if (turn == 0) return {};
+  const Rational part =
+      ((t.a.x - s.a.x) * (t.b.y - t.a.y) - (t.a.y - s.a.y) * (t.b.x - t.a.x)) / turn;
+  if (part < 0 || part > 1) return {};
+  Point meeting = {s.a.x + part * x, s.a.y + part * y};
+  if (!on_segment(t.a, t.b, meeting)) return {};
+  return meeting;
+}
+
 std::vector<Segment> without(std::vector<Segment> segments, std::span<const Line> lines) {
   for (const Line& line : lines) {
     std::vector<Segment> left;
@@ -68,9 +80,10 @@ Rational farthest_end(std::span<const Segment> from, std::span<const Segment> to
 std::vector<SegmentId> segments_of(std::span<const Line> lines) {
   std::vector<SegmentId> result;
   for (const Line& line : lines) {
+    const auto middle = static_cast<std::ptrdiff_t>(result.size());
     result.insert(result.end(), line.segments.begin(), line.segments.end());
+    std::inplace_merge(result.begin(), result.begin() + middle, result.end());
   }
-  std::ranges::sort(result);
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }

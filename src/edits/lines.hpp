@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ bool is_collinear(const Segment& s, const Segment& t);
 bool covers(const Segment& whole, const Segment& part);
 /// Whether a point of `other` lies strictly between the ends of the segment.
 bool meets_inside(const Segment& segment, const Segment& other);
+/// The point that two segments of different directions have in common, if there is one.
+std::optional<Point> crossing(const Segment& s, const Segment& t);
 /// What is left of the segments without the lines; what is but a point is not.
 std::vector<Segment> without(std::vector<Segment> segments, std::span<const Line> lines);
 /// The least squared distance of the point from the segments. Requires: at least one.

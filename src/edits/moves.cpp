@@ -6,6 +6,7 @@
 
 namespace plumbline::edits {
 
+// What a line becomes stands for all of its segments: the first one of them leads to it.
 Moves::Moves(const Repair& repair) : tolerances_(repair.tolerances) {
   for (const Edit& edit : repair.edits) {
     switch (edit.kind) {
@@ -13,14 +14,16 @@ Moves::Moves(const Repair& repair) : tolerances_(repair.tolerances) {
       case EditKind::Bridge:
       case EditKind::Joint:
         for (const Segment& piece : added(edit)) {
-          for (const SegmentId s : segments_of(edit.after)) added_.emplace(s, piece);
+          for (const Line& line : edit.after) {
+            if (covers(extent_of(line), piece)) added_.emplace(line.segments.front(), piece);
+          }
         }
         break;
       case EditKind::Weld:
       case EditKind::Snap:
       case EditKind::Simplify:
-        for (const SegmentId s : segments_of(edit.before)) {
-          std::vector<EditKind>& kinds = kinds_[s];
+        for (const Line& line : edit.before) {
+          std::vector<EditKind>& kinds = kinds_[line.segments.front()];
           if (std::ranges::find(kinds, edit.kind) == kinds.end()) kinds.push_back(edit.kind);
         }
         break;

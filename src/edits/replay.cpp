@@ -24,7 +24,9 @@ std::vector<bool> touched(const SegmentSet& input, const std::vector<Edit>& edit
   std::vector<bool> result(input.segments.size(), false);
   for (const Edit& edit : edits) {
     for (const std::vector<Line>* lines : {&edit.before, &edit.after}) {
-      for (const SegmentId s : segments_of(*lines)) result[s] = true;
+      for (const Line& line : *lines) {
+        for (const SegmentId s : line.segments) result[s] = true;
+      }
     }
   }
   return result;

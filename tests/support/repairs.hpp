@@ -107,6 +107,17 @@ inline Made pieces() {
                 {line("0 0 10 0", {0, 1, 2})}}});
 }
 
+/// Two ends meet on a wall between them.
+inline Made meeting_on_wall() {
+  return made("meeting on a wall", "0 0 4 0  4.02 0 8 0  4.015 -1 4.015 1",
+              up_to(&Tolerances::grow, "0.1"),
+              {{EditKind::Bridge,
+                point("4 0"),
+                decimal("0.0004"),
+                {line("0 0 4 0", {0}), line("4.02 0 8 0", {1})},
+                {line("0 0 8 0", {0, 1})}}});
+}
+
 inline Made door() {
   return made("door",
               "0 0 12 0  12 0 12 6  12 6 0 6  0 6 0 0  6 0 6 2.5  6 3.4 6 6  6.6 3 8.5 3  "
