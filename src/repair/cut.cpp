@@ -32,9 +32,10 @@ void cut(Work& work, const Arranged& arranged, std::span<const EdgeId> edges, Ed
   work.apply(kind, where, squared_size, before, std::move(after));
 }
 
-bool is_anchored(const Work& work, const Arranged& arranged, std::span<const EdgeId> edges) {
+bool is_fixed(const Work& work, const Arranged& arranged, std::span<const EdgeId> edges) {
   return std::ranges::any_of(edges, [&](EdgeId e) {
-    return std::ranges::any_of(arranged.lines(e), [&](LineId id) { return work.is_anchored(id); });
+    return std::ranges::any_of(
+        arranged.lines(e), [&](LineId id) { return work.is_anchored(id) || work.is_virtual(id); });
   });
 }
 

@@ -10,7 +10,7 @@ namespace plumbline::repair_steps {
 void cut(Work& work, const Arranged& arranged, std::span<const EdgeId> edges, EditKind kind,
          const Point& where, const Rational& squared_size);
 
-/// Whether a line that covers one of the edges is anchored.
-bool is_anchored(const Work& work, const Arranged& arranged, std::span<const EdgeId> edges);
+/// Whether a line that covers one of the edges is anchored or virtual.
+bool is_fixed(const Work& work, const Arranged& arranged, std::span<const EdgeId> edges);
 
 }  // namespace plumbline::repair_steps

@@ -70,7 +70,7 @@ void close_doors(Work& work, const Range& doors, const std::vector<std::string>&
     const std::vector<bool> is_wall = sources_on_layers(work.input(), wall_layers);
     std::erase_if(lines, [&](LineId id) {
       // Lines that closed openings before are part of the walls.
-      return !work.is_virtual(id) && work.layer(id) != kVirtualLayer && !is_wall[work.source(id)];
+      return !work.is_virtual(id) && !is_wall[work.source(id)];
     });
   }
   SegmentSet walls = work.drawing(lines);

@@ -1,5 +1,8 @@
 #include "plumbline/repair.hpp"
 
+#include <set>
+#include <tuple>
+
 #include "plumbline/error.hpp"
 #include "repair/tolerances.hpp"
 
@@ -14,34 +17,43 @@ constexpr std::size_t kMostRounds = 100;
 /// The steps, one after the other, until a round of them finds nothing to do.
 class Repairing {
  public:
-  Repairing(const SegmentSet& input, const RepairOptions& options, Repair& result)
+  /// `stays` are segments that are not welded to others.
+  Repairing(const SegmentSet& input, const RepairOptions& options, const std::set<SegmentId>& stays,
+            Repair& result)
       : options_(options),
         result_(result),
         work_(input, result.anchored),
-        choice_(input, result.reasons) {}
+        choice_(input, result.reasons),
+        stays_(stays) {}
 
   /// What is not true of the result; nothing where all is.
-  std::optional<Breach> run() {
-    bool is_settled = false;
-    for (std::size_t round = 0; round < kMostRounds && !is_settled; ++round) {
+  std::vector<Breach> run() {
+    if (!settle()) return {{"there is no end of edits", work_.edits().back().where, {}}};
+    if (sgn(result_.tolerances.grow) > 0) refuse_open_ends(work_, now_, result_.tolerances.grow);
+    work_.write(result_);
+    if (!is_as_arranged_) now_ = arranged(work_);
+    result_.faces = face_outcomes(work_.input(), before_, result_, now_.complex);
+    return verify(work_.input(), before_, result_, now_.complex);
+  }
+
+ private:
+  /// Until there is nothing to do; whether that comes to be.
+  bool settle() {
+    for (std::size_t round = 0; round < kMostRounds; ++round) {
       const std::size_t edits = work_.edits().size();
       const LineId first_looked_at = first_not_welded_;
       run_once(round == 0);
       if (work_.edits().size() > edits) continue;
       // Carriers grow with what is welded to them: in the end all of them are looked at once more.
-      is_settled = first_looked_at == kFirst || sgn(result_.tolerances.weld) == 0;
       first_not_welded_ = kFirst;
+      if (first_looked_at != kFirst && sgn(result_.tolerances.weld) > 0) continue;
+      // Doors come when walls are where they stay.
+      if (result_.tolerances.doors) close_doors(work_, *result_.tolerances.doors, options_.walls);
+      if (work_.edits().size() == edits) return true;
     }
-    if (!is_settled) return Breach{"there is no end of edits", work_.edits().back().where, {}};
-    if (sgn(result_.tolerances.grow) > 0) refuse_open_ends(work_, now_, result_.tolerances.grow);
-    work_.write(result_);
-    result_.faces = face_outcomes(work_.input(), before_, result_, now_.complex);
-    std::vector<Breach> breaches = verify(work_.input(), before_, result_, now_.complex);
-    if (breaches.empty()) return std::nullopt;
-    return breaches.front();
+    return false;
   }
 
- private:
   void run_once(bool is_first) {
     const std::size_t first_edit = work_.edits().size();
     work_.forget_refusals();
@@ -68,8 +80,6 @@ class Repairing {
     if (sgn(tolerances.sliver) > 0) {
       repeat([&] { give_slivers(work_, now_, tolerances.sliver); });
     }
-    if (tolerances.doors) close_doors(work_, *tolerances.doors, options_.walls);
-    look_anew();
     if (sgn(tolerances.simplify) > 0) {
       repeat([&] { simplify(work_, now_, tolerances.simplify); });
     }
@@ -92,13 +102,14 @@ class Repairing {
     if (work_.edits().size() == edits) return;
     rename_lines(now_, work_);
     looked_at_ = work_.edits().size();
+    is_as_arranged_ = false;
   }
 
   /// Until nothing moves any more.
   void weld_lines(const Rational& distance) {
     for (std::size_t round = 0; round < kMostRounds; ++round) {
       const std::size_t edits = work_.edits().size(), lines = work_.count();
-      weld(work_, now_, distance, first_not_welded_);
+      weld(work_, now_, distance, first_not_welded_, stays_);
       first_not_welded_ = LineId(lines);
       if (work_.edits().size() == edits) return;
       look_anew();
@@ -111,6 +122,7 @@ class Repairing {
     if (looked_at_ == work_.edits().size()) return;
     looked_at_ = work_.edits().size();
     now_ = arranged(work_);
+    is_as_arranged_ = true;
     if (looked_at_ == 0) before_ = now_.complex;
   }
 
@@ -120,11 +132,42 @@ class Repairing {
   Repair& result_;
   Work work_;
   Choice choice_;
+  const std::set<SegmentId>& stays_;
   Arranged now_;
   LineId first_not_welded_ = kFirst;  ///< lines before are known to go nowhere
+  bool is_as_arranged_ = false;       ///< else it may have vertices where merged lines ended
   ExactComplex before_;
   std::size_t looked_at_ = static_cast<std::size_t>(-1);  ///< edits of which `now_` knows
 };
+
+/// Lets what was welded where promises are broken stay. What is there now, and why.
+std::vector<Refusal> give_up_welds(const Repair& repair, const std::vector<Breach>& breaches,
+                                   std::set<SegmentId>& stays) {
+  std::vector<Refusal> result;
+  const Rational near = 4 * repair.tolerances.weld * repair.tolerances.weld;
+  for (const Edit& edit : repair.edits) {
+    if (edit.kind != EditKind::Weld) continue;
+    const auto is_to_blame = [&](const Breach& breach) {
+      return std::ranges::any_of(edit.after, [&](const Line& line) {
+        return squared_distance(breach.where, line.a, line.b) <= near;
+      });
+    };
+    const auto breach = std::ranges::find_if(breaches, is_to_blame);
+    if (breach == breaches.end()) continue;
+    Refusal refusal{EditKind::Weld,
+                    edit.where,
+                    edit.squared_size,
+                    "it would break a promise: " + breach->message,
+                    {}};
+    for (const Line& line : edit.before) {
+      for (const SegmentId s : line.segments) {
+        if (stays.insert(s).second) refusal.segments.push_back(s);
+      }
+    }
+    if (!refusal.segments.empty()) result.push_back(std::move(refusal));
+  }
+  return result;
+}
 
 /// Turns off the operation that goes furthest, and says so: something else was in its way. Throws:
 /// Error Internal where none is on.
@@ -160,6 +203,7 @@ Refusal give_up_one(RepairOptions& options, const Tolerances& used, const Breach
 
 Repair repair(const SegmentSet& input, const RepairOptions& options) {
   RepairOptions now = options;
+  std::set<SegmentId> stays;
   std::vector<Refusal> given_up;
   while (true) {
     Repair result;
@@ -167,12 +211,14 @@ Repair repair(const SegmentSet& input, const RepairOptions& options) {
     result.tolerances.simplify = now.simplify;
     result.tolerances.doors = now.doors;
     result.anchored = anchored_segments(input, now);
-    const std::optional<Breach> breach = Repairing(input, now, result).run();
-    if (!breach) {
+    const std::vector<Breach> breaches = Repairing(input, now, stays, result).run();
+    if (breaches.empty()) {
       result.refused.insert(result.refused.begin(), given_up.begin(), given_up.end());
       return result;
     }
-    given_up.push_back(give_up_one(now, result.tolerances, *breach));
+    std::vector<Refusal> refused = give_up_welds(result, breaches, stays);
+    if (refused.empty()) refused = {give_up_one(now, result.tolerances, breaches.front())};
+    given_up.insert(given_up.end(), refused.begin(), refused.end());
   }
 }
 

@@ -67,7 +67,7 @@ class Slivers {
     Rational squared_size;
     for (const Chain& chain : chains) {
       if (chain.neighbour == kUnbounded || chain.neighbour == f) continue;
-      if (is_anchored(work_, arranged_, chain.edges)) continue;
+      if (is_fixed(work_, arranged_, chain.edges)) continue;
       if (best != nullptr && compare_lengths(chain, *best) <= 0) continue;
       const std::optional<Rational> size = squared_width(chain, border);
       if (!size) continue;

@@ -8,7 +8,6 @@
 
 #include "diagnose/line_graph.hpp"
 #include "geometry/point_tree.hpp"
-#include "repair/cut.hpp"
 #include "repair/path.hpp"
 #include "repair/steps.hpp"
 
@@ -51,8 +50,8 @@ class Snapping {
   void choose_sites() {
     std::vector<char> is_anchored(complex_.vertices.size());
     for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
-      const std::array edges = {EdgeId(e)};
-      if (!repair_steps::is_anchored(work_, arranged_, edges)) continue;
+      const std::vector<LineId> lines = arranged_.lines(EdgeId(e));
+      if (std::ranges::none_of(lines, [&](LineId id) { return work_.is_anchored(id); })) continue;
       is_anchored[complex_.edges[e].tail] = is_anchored[complex_.edges[e].head] = 1;
     }
     std::vector<VertexId> order;

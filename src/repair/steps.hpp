@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include "plumbline/repair.hpp"
 #include "repair/work.hpp"
 
@@ -15,7 +17,8 @@ void merge(Work& work, const Arranged& arranged);
 /// Lines that hang together on one straight line go onto a stronger such line beside them, with all
 /// that meets them. Only what has a line from `first_new` on is looked at: that of the others
 /// nothing goes onto another one is known.
-void weld(Work& work, const Arranged& arranged, const Rational& distance, LineId first_new);
+void weld(Work& work, const Arranged& arranged, const Rational& distance, LineId first_new,
+          const std::set<SegmentId>& stays);
 /// How far the lines that would go are from those that they would go onto, squared.
 std::vector<Rational> weld_offsets(Work& work, const Arranged& arranged, const Rational& distance);
 /// Vertices go to sites further apart than the distance, edges lead over the sites near them.

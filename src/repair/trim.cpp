@@ -124,7 +124,7 @@ class Trimming {
       if (reach > squared_reach_) return std::nullopt;
       v = graph_.other_end(e, v);
     }
-    if (is_anchored(work_, arranged_, loose.edges)) return std::nullopt;
+    if (is_fixed(work_, arranged_, loose.edges)) return std::nullopt;
     return reach;
   }
 

@@ -28,8 +28,10 @@ class Welding {
  public:
   using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-  Welding(Work& work, const Arranged& arranged, const Rational& distance, const Pairs& pairs)
+  Welding(Work& work, const Arranged& arranged, const Rational& distance, const Pairs& pairs,
+          const std::set<SegmentId>& stays)
       : work_(work),
+        stays_(stays),
         arranged_(arranged),
         complex_(arranged.complex),
         squared_distance_(distance * distance),
@@ -99,19 +101,30 @@ class Welding {
 
   /// Whether d may go onto c: as it is and as it was authored it lies within the distance, beside
   /// what c covers for more than the distance, and it is no detail as small as that.
-  bool fits(const Carrier& c, const Carrier& d, const Interval& covered) const {
+  bool fits(const Carrier& c, const Carrier& d, const Interval& covered) {
     if (d.is_anchored || d.squared_length <= 4 * squared_distance_) return false;
     const Interval own = interval(c, d);
     const Rational both = std::min(own.high, covered.high) - std::max(own.low, covered.low);
     if (sgn(both) <= 0 || both * both * c.squared_length <= squared_distance_) return false;
-    if (!is_near(c, d.a) || !is_near(c, d.b)) return false;
+    if (!is_near(c, d.a) || !is_near(c, d.b) || stays(d)) return false;
     for (const LineId id : d.lines) {
       for (const SegmentId s : work_.line(id).segments) {
         const Segment authored = work_.input().segments[s];
-        if (!is_near(c, authored.a) || !is_near(c, authored.b)) return false;
+        if (is_near(c, authored.a) && is_near(c, authored.b)) continue;
+        work_.refuse(
+            EditKind::Weld, d.a,
+            std::max(squared_distance_from(c, authored.a), squared_distance_from(c, authored.b)),
+            "it would go further in all from where it was drawn than it may", d.lines);
+        return false;
       }
     }
     return true;
+  }
+  bool stays(const Carrier& c) const {
+    return std::ranges::any_of(c.lines, [&](LineId id) {
+      return std::ranges::any_of(work_.line(id).segments,
+                                 [&](SegmentId s) { return stays_.contains(s); });
+    });
   }
   bool is_near(const Carrier& c, const Point& p) const {
     return squared_distance_from(c, p) <= squared_distance_;
@@ -193,6 +206,7 @@ class Welding {
   }
 
   Work& work_;
+  const std::set<SegmentId>& stays_;
   const Arranged& arranged_;
   const ExactComplex& complex_;
   Rational squared_distance_;
@@ -206,12 +220,14 @@ class Welding {
 
 std::vector<Rational> weld_offsets(Work& work, const Arranged& arranged, const Rational& distance) {
   const auto pairs = side_by_side(work, arranged, distance, LineId(std::size_t{0}));
-  return Welding(work, arranged, distance, pairs).squared_offsets();
+  const std::set<SegmentId> stays;
+  return Welding(work, arranged, distance, pairs, stays).squared_offsets();
 }
 
-void weld(Work& work, const Arranged& arranged, const Rational& distance, LineId first_new) {
+void weld(Work& work, const Arranged& arranged, const Rational& distance, LineId first_new,
+          const std::set<SegmentId>& stays) {
   const auto pairs = side_by_side(work, arranged, distance, first_new);
-  if (!pairs.empty()) Welding(work, arranged, distance, pairs).run();
+  if (!pairs.empty()) Welding(work, arranged, distance, pairs, stays).run();
 }
 
 }  // namespace plumbline::repair_steps

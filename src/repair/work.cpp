@@ -21,7 +21,7 @@ std::vector<LineId> Work::lines() const {
     if (is_there_[i] != 0) result.emplace_back(i);
   }
   std::ranges::stable_sort(
-      result, {}, [&](LineId id) { return is_virtual(id) ? SegmentId() : first_segment(id); });
+      result, {}, [&](LineId id) { return is_added(id) ? SegmentId() : first_segment(id); });
   return result;
 }
 
@@ -54,7 +54,7 @@ SegmentId Work::first_segment(LineId id) const {
 }
 
 std::string Work::layer(LineId id) const {
-  if (is_virtual(id)) return kVirtualLayer;
+  if (is_added(id)) return kVirtualLayer;
   return input_.sources[source(id)].layer;
 }
 
@@ -191,7 +191,7 @@ void Work::write(Repair& result) const {
   output.rounding.clear();
   SourceId virtual_source;
   for (const LineId id : order) {
-    if (is_virtual(id)) {
+    if (is_added(id)) {
       if (!virtual_source.valid()) {
         Source source;
         source.element = "line";

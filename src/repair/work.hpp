@@ -29,9 +29,8 @@ class Work {
   /// Whether they belong together on one layer.
   bool is_same_layer(LineId id, LineId other) const { return layer(id) == layer(other); }
   std::string layer(LineId id) const;
-  bool is_virtual(LineId id) const {
-    return id >= first_made() && made_[id - first_made()].segments.empty();
-  }
+  /// Whether it closes an opening; made now, or in a repair before.
+  bool is_virtual(LineId id) const { return is_added(id) || layer(id) == kVirtualLayer; }
   /// Of its first segment. Requires: it is not virtual.
   SourceId source(LineId id) const { return input_.segment_source[first_segment(id)]; }
   /// What became of a line that an edit took away: the pieces that there are now.
@@ -67,6 +66,10 @@ class Work {
   Segment directed(const Line& line) const;
   void add_rings(SegmentSet& drawing, const std::vector<LineId>& order) const;
   SegmentId first_segment(LineId id) const;
+  /// Whether it stands for no segment.
+  bool is_added(LineId id) const {
+    return id >= first_made() && made_[id - first_made()].segments.empty();
+  }
 
   const SegmentSet& input_;
   std::vector<char> is_anchored_;  ///< per segment of the input
