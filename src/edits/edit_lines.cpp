@@ -1,40 +1,46 @@
 #include "edits/edit_lines.hpp"
 
-#include <array>
-#include <map>
+#include <algorithm>
 
 #include "geometry/box_tree.hpp"
 
 namespace plumbline::edits {
 
 struct EditLines::Tree {
-  struct EditLine {
-    const Line* line;
+  /// A part of a line that an edit drew, or took away.
+  struct Piece {
+    Segment segment;
     std::size_t edit;
-    bool is_after;
+    bool is_drawn;
   };
 
-  explicit Tree(const std::vector<Edit>& edits) : lines(lines_of(edits)), boxes(boxes_of(lines)) {}
+  explicit Tree(const std::vector<Edit>& edits)
+      : pieces(pieces_of(edits)), boxes(boxes_of(pieces)) {}
 
-  static std::vector<EditLine> lines_of(const std::vector<Edit>& edits) {
-    std::vector<EditLine> result;
+  static std::vector<Piece> pieces_of(const std::vector<Edit>& edits) {
+    std::vector<Piece> result;
     for (std::size_t t = 0; t < edits.size(); ++t) {
-      for (const Line& line : edits[t].before) result.push_back({&line, t, false});
-      for (const Line& line : edits[t].after) result.push_back({&line, t, true});
+      const Edit& edit = edits[t];
+      for (Segment& s : without(extents_of(edit.after), edit.before)) {
+        result.push_back({std::move(s), t, true});
+      }
+      for (Segment& s : without(extents_of(edit.before), edit.after)) {
+        result.push_back({std::move(s), t, false});
+      }
     }
     return result;
   }
 
-  static std::vector<BoxD> boxes_of(const std::vector<EditLine>& lines) {
+  static std::vector<BoxD> boxes_of(const std::vector<Piece>& pieces) {
     std::vector<BoxD> result;
-    for (const EditLine& line : lines) {
-      const PointD ends[] = {nearest(line.line->a), nearest(line.line->b)};
+    for (const Piece& piece : pieces) {
+      const PointD ends[] = {nearest(piece.segment.a), nearest(piece.segment.b)};
       result.push_back(box_of(ends));
     }
     return result;
   }
 
-  std::vector<EditLine> lines;
+  std::vector<Piece> pieces;
   BoxTree boxes;
 };
 
@@ -42,17 +48,15 @@ EditLines::EditLines(const std::vector<Edit>& edits) : tree_(std::make_unique<Tr
 EditLines::~EditLines() = default;
 
 std::vector<std::size_t> EditLines::that_changed(const Segment& s, bool is_drawn) const {
-  std::map<std::size_t, std::array<bool, 2>> is_covered;  // by lines before, by lines after
   const PointD middle = nearest(Point{(s.a.x + s.b.x) / 2, (s.a.y + s.b.y) / 2});
-  for (const std::size_t i : tree_->boxes.meeting(BoxD{middle, middle})) {
-    const Tree::EditLine& line = tree_->lines[i];
-    if (!covers(extent_of(*line.line), s)) continue;
-    is_covered.try_emplace(line.edit).first->second[line.is_after ? 1 : 0] = true;
-  }
   std::vector<std::size_t> result;
-  for (const auto& [edit, by] : is_covered) {
-    if (by[is_drawn ? 1 : 0] && !by[is_drawn ? 0 : 1]) result.push_back(edit);
+  for (const std::size_t i : tree_->boxes.meeting(BoxD{middle, middle})) {
+    const Tree::Piece& piece = tree_->pieces[i];
+    if (piece.is_drawn == is_drawn && covers(piece.segment, s)) result.push_back(piece.edit);
   }
+  std::ranges::sort(result);
+  const auto repeated = std::ranges::unique(result);
+  result.erase(repeated.begin(), repeated.end());
   return result;
 }
 

@@ -7,7 +7,7 @@
 
 namespace plumbline::edits {
 
-/// Which edits drew what, or took it away. Keeps a reference to them.
+/// Which edits drew what, or took it away.
 class EditLines {
  public:
   explicit EditLines(const std::vector<Edit>& edits);

@@ -33,7 +33,7 @@ class Slivers {
         complex_(arranged.complex),
         graph_(arranged.complex),
         squared_distance_(distance * distance),
-        reach_(nearest_double(distance) * (1 + 0x1p-30) + graph_.slack()) {}
+        reach_(nearest_double(distance) * (1 + 0x1p-30) + 4 * graph_.slack()) {}
 
   /// For each sliver what is to go, the smallest first; none of a face that receives another one.
   std::vector<Gift> find() const {
@@ -129,10 +129,31 @@ class Slivers {
     for (const HalfedgeId h : border) {
       if (!std::ranges::count(chain.edges, edge_of(h))) rest.push_back(edge_of(h));
     }
+    if (!may_be_near(chain.edges, rest) || !may_be_near(rest, chain.edges)) return std::nullopt;
     const std::optional<Rational> there = squared_distance_from(chain.edges, rest);
     const std::optional<Rational> back =
         there ? squared_distance_from(rest, chain.edges) : std::nullopt;
     return back ? std::optional(std::max(*there, *back)) : std::nullopt;
+  }
+
+  /// In doubles: whether all ends of some edges are near others.
+  bool may_be_near(const std::vector<EdgeId>& edges, const std::vector<EdgeId>& others) const {
+    return std::ranges::all_of(edges, [&](EdgeId e) {
+      const PointD &p = graph_.rounded(complex_.edges[e].tail),
+                   &q = graph_.rounded(complex_.edges[e].head);
+      return may_be_near(p, others) && may_be_near(q, others);
+    });
+  }
+  bool may_be_near(const PointD& p, const std::vector<EdgeId>& edges) const {
+    return std::ranges::any_of(edges, [&](EdgeId e) { return is_roughly_near(p, e); });
+  }
+  bool is_roughly_near(const PointD& p, EdgeId e) const {
+    const PointD &a = graph_.rounded(complex_.edges[e].tail),
+                 &b = graph_.rounded(complex_.edges[e].head);
+    const PointD d{b.x - a.x, b.y - a.y};
+    const double squared = d.x * d.x + d.y * d.y;
+    const double t = squared == 0 ? 0 : ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / squared;
+    return distance(p, point_at({a, b}, std::clamp(t, 0.0, 1.0))) <= reach_;
   }
 
   /// The largest of the ends of some edges from the nearest of others.
@@ -157,12 +178,7 @@ class Slivers {
     for (const EdgeId e : edges) {
       const Edge& edge = complex_.edges[e];
       if (edge.tail == v || edge.head == v) return Rational(0);
-      const std::array ends{graph_.rounded(edge.tail), graph_.rounded(edge.head)};
-      const BoxD box = grown(box_of(ends), reach_);
-      if (rounded.x < box.low.x || rounded.y < box.low.y || rounded.x > box.high.x ||
-          rounded.y > box.high.y) {
-        continue;
-      }
+      if (!is_roughly_near(rounded, e)) continue;
       Rational found = squared_distance(complex_.vertices[v], complex_.vertices[edge.tail],
                                         complex_.vertices[edge.head]);
       if (found <= squared_distance_ && (!result || found < *result)) result = std::move(found);
