@@ -44,14 +44,14 @@ room(engines/inters/stages error number geometry engines/lar/stages)
 room(engines/files error number read engine)
 room(engines/lar/explain error geometry arrange engine engines/lar/stages)
 room(engines/inters/explain error geometry engine engines/lar/stages engines/inters/stages engines/lar/explain)
-room(output error number geometry structure complex rooms polygons chains round features diagnose check)
+room(output error number geometry structure complex rooms polygons chains round features diagnose edits check)
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error geometry read chains arrange round check engines/lar/stages engines/inters/stages engines/files)
 room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings diagnose edits repair engine check
      engines/lar/stages engines/inters/stages engines/files output engines/lar/show engines/inters/show
      pipeline)
-room(cli error detail read arrange round engine engines/files output engines/lar/show pipeline plumbline)
+room(cli error detail read arrange round repair engine engines/files output engines/lar/show pipeline plumbline)
 room(checker)
 
 # The room of a header in include/plumbline/, if it is not that of its name.

@@ -7,6 +7,7 @@
 #include "plumbline/check.hpp"
 #include "plumbline/complex.hpp"
 #include "plumbline/diagnose.hpp"
+#include "plumbline/edits.hpp"
 #include "plumbline/features.hpp"
 #include "plumbline/rooms.hpp"
 #include "plumbline/round.hpp"
@@ -162,5 +163,22 @@ std::string to_svg(const Rooms& rooms, const SegmentSet& input, const ExactCompl
 /// The plan with a table of rooms beside it, to search and to sort: one file that loads nothing
 /// else.
 std::string to_html(const Rooms& rooms, const SegmentSet& input, const ExactComplex& complex);
+
+/// "weld 0.01, grow off, ..., doors 0.6..1.2".
+std::string to_text(const Tolerances& tolerances);
+/// "7 edits: 3 ends grown by up to 0.02, ...; 1 room closed; 2 refused".
+std::string repair_line(const Repair& repair);
+/// The repair for a terminal: that line, tolerances and why, then the edits that do most to faces,
+/// with place, element and size, `listed` of them or as many as fit on a screen; refused ones.
+/// Numbers are positions in Repair::edits, from 1, here and below.
+std::string to_text(const Repair& repair, const SegmentSet& input,
+                    std::optional<std::size_t> listed = {});
+/// The log as JSON: tolerances, edits, faces, what was refused.
+std::string to_json(const Repair& repair, const SegmentSet& input);
+/// The repaired lines as a layer of lines, on the layers of their elements, virtual ones on
+/// kVirtualLayer. Columns: `line`, `layer`, `source` (the element), `id` (of it), `virtual` (0, 1).
+FeatureLayer line_layer(const Repair& repair);
+/// The edits, and then what was refused, as a layer of points; on layers by kind.
+FeatureLayer edit_layer(const Repair& repair, const SegmentSet& input);
 
 }  // namespace plumbline

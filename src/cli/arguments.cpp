@@ -21,6 +21,7 @@ constexpr const char* kDescription =
     "  plumbline info plan.svg\n"
     "  plumbline arrange plan.svg -o plan.json\n"
     "  plumbline rooms plan.dxf -o rooms.geojson --picture rooms.svg\n"
+    "  plumbline repair plan.dxf -o fixed.dxf --log fixes.json\n"
     "  plumbline check plan.svg --picture check.svg\n"
     "  plumbline lar plan.svg --show components -o components.svg\n"
     "  plumbline eval table.json -o table.svg\n"
@@ -105,6 +106,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   CheckArguments check;
   InfoArguments info;
   RoomsArguments rooms;
+  RepairArguments repair;
   LarArguments lar;
   EvalArguments eval;
   RandomArguments random;
@@ -112,6 +114,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   const std::pair check_command(add_command(app, check), &check);
   const std::pair info_command(add_command(app, info), &info);
   const std::pair rooms_command(add_command(app, rooms), &rooms);
+  const std::pair repair_command(add_command(app, repair), &repair);
   const std::pair lar_command(add_command(app, lar), &lar);
   const std::pair eval_command(add_command(app, eval), &eval);
   const std::pair random_command(add_command(app, random), &random);
@@ -132,8 +135,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   }
   if (pages.completion->parsed()) return Notice{completion(app, pages.shell), false};
   if (pages.manual->parsed()) return Notice{manual(app, pages.command), false};
-  return called(arrange_command, check_command, info_command, rooms_command, lar_command,
-                eval_command, random_command);
+  return called(arrange_command, check_command, info_command, rooms_command,
+                repair_command, lar_command, eval_command, random_command);
 }
 
 }  // namespace plumbline::cli

@@ -9,7 +9,7 @@
 namespace plumbline::cli {
 
 using Command = std::variant<ArrangeArguments, CheckArguments, InfoArguments, RoomsArguments,
-                             LarArguments, EvalArguments, RandomArguments>;
+                             RepairArguments, LarArguments, EvalArguments, RandomArguments>;
 
 /// What is said instead of running: the help, the version, what others are made of.
 struct Notice {

@@ -13,6 +13,7 @@
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
+#include "plumbline/repair.hpp"
 #include "plumbline/round.hpp"
 
 namespace plumbline::cli {
@@ -114,6 +115,16 @@ struct RoomsArguments : DrawingArguments {
   std::optional<std::string> report;
 };
 
+struct RepairArguments : InputArguments {
+  RepairOptions repair;
+  bool dry_run = false;
+  std::optional<std::size_t> listed;  ///< edits printed
+  std::optional<std::string> output;  ///< none: a dry run
+  std::optional<std::string> format;  ///< of the output
+  std::optional<std::string> log;
+  std::optional<std::string> findings;
+};
+
 struct LarArguments : InputArguments {
   bool is_published = false;
   bool unit_square = false;
@@ -157,6 +168,7 @@ ExitCode run(const ArrangeArguments& arguments, Report& report);
 ExitCode run(const CheckArguments& arguments, Report& report, const std::vector<Engine>& engines);
 ExitCode run(const InfoArguments& arguments, Report& report);
 ExitCode run(const RoomsArguments& arguments, Report& report);
+ExitCode run(const RepairArguments& arguments, Report& report);
 ExitCode run(const LarArguments& arguments, Report& report);
 ExitCode run(const EvalArguments& arguments, Report& report);
 ExitCode run(const RandomArguments& arguments, Report& report);

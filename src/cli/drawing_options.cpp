@@ -188,20 +188,6 @@ void add_complex_outputs(CLI::App& command, ArrangeArguments& arguments) {
       ->type_name("FILE");
 }
 
-/// "0.6..1.2".
-Range door_range(const std::string& text) {
-  const std::size_t dots = text.find("..");
-  if (dots == std::string::npos) {
-    throw Error(ErrorCode::BadInput, "--doors needs LEAST..MOST", {}, text);
-  }
-  Range range{parse_decimal(text.substr(0, dots)), parse_decimal(text.substr(dots + 2))};
-  if (sgn(range.least) < 0 || range.least > range.most || text.find("...") != std::string::npos) {
-    throw Error(ErrorCode::BadInput, "LEAST and MOST are widths, 0 or more, the lesser one first",
-                {}, text);
-  }
-  return range;
-}
-
 void add_diagnosis(CLI::App& command, InfoArguments& arguments) {
   command.option_defaults()->group("Diagnosis");
   CLI::Option* diagnose = command.add_flag(

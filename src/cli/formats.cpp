@@ -63,6 +63,14 @@ std::vector<std::string_view> rooms_formats() {
   return names;
 }
 
+std::vector<std::string_view> repair_formats() {
+  std::vector<std::string_view> names{"lines"};
+  const std::vector<std::string_view> features = feature_formats();
+  names.insert(names.end(), features.begin(), features.end());
+  names.emplace_back("svg");
+  return names;
+}
+
 const Format& format_named(std::string_view name) {
   const auto found = std::ranges::find(formats(), name, &Format::name);
   ensure(found != formats().end(), "the format is in the table");

@@ -24,6 +24,8 @@ std::vector<std::string_view> complex_formats();
 std::vector<std::string_view> finding_formats();
 /// Those of rooms: geojson by default.
 std::vector<std::string_view> rooms_formats();
+/// Those of repaired drawings: lines by default.
+std::vector<std::string_view> repair_formats();
 /// The format of that name. Requires: there is one.
 const Format& format_named(std::string_view name);
 

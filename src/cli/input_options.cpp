@@ -234,6 +234,19 @@ void add_threads(CLI::App& command, std::size_t& threads) {
       ->type_name("N");
 }
 
+Range door_range(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    throw Error(ErrorCode::BadInput, "--doors needs LEAST..MOST", {}, text);
+  }
+  Range range{parse_decimal(text.substr(0, dots)), parse_decimal(text.substr(dots + 2))};
+  if (sgn(range.least) < 0 || range.least > range.most || text.find("...") != std::string::npos) {
+    throw Error(ErrorCode::BadInput, "LEAST and MOST are widths, 0 or more, the lesser one first",
+                {}, text);
+  }
+  return range;
+}
+
 ExactEngine exact_engine(const std::string& name) {
   if (name == "bucket") return ExactEngine::Bucket;
   if (name == "cgal") return ExactEngine::Cgal;

@@ -15,6 +15,7 @@ CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments);
 CLI::App* add_command(CLI::App& app, CheckArguments& arguments);
 CLI::App* add_command(CLI::App& app, InfoArguments& arguments);
 CLI::App* add_command(CLI::App& app, RoomsArguments& arguments);
+CLI::App* add_command(CLI::App& app, RepairArguments& arguments);
 CLI::App* add_command(CLI::App& app, LarArguments& arguments);
 CLI::App* add_command(CLI::App& app, EvalArguments& arguments);
 CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
@@ -48,6 +49,8 @@ CLI::Validator finite();
 CLI::Validator positive();
 /// What may be a number, or the name of a preset.
 CLI::Validator radius();
+/// Widths of doors: "0.6..1.2". Throws: Error BadInput.
+Range door_range(const std::string& text);
 void add_threads(CLI::App& command, std::size_t& threads);
 /// "bucket" or "cgal".
 ExactEngine exact_engine(const std::string& name);

@@ -1,0 +1,90 @@
+#include "plumbline/repair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "cli/commands.hpp"
+#include "cli/complex_file.hpp"
+#include "cli/formats.hpp"
+#include "cli/losses.hpp"
+#include "cli/outputs.hpp"
+#include "cli/print.hpp"
+#include "cli/progress.hpp"
+#include "cli/report.hpp"
+#include "plumbline/output.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+constexpr const char* kRounded = "nearest doubles";
+
+std::string content(std::string_view format, const Repair& repair) {
+  const SegmentSet& output = repair.output;
+  if (format == "lines") return to_lines(output);
+  if (format == "svg") return to_svg(output);
+  return feature_file(format,
+                      {{line_layer(repair)}, output.crs, kRounded, output.layers, output.unit});
+}
+
+/// How many edits of each kind, how many faces of each fate.
+void set_counts(Report& report, const Repair& repair) {
+  report.set("edits", repair.edits.size());
+  std::array<std::size_t, kEditKinds> kinds{};
+  for (const Edit& edit : repair.edits) ++kinds.at(static_cast<std::size_t>(edit.kind));
+  for (std::size_t kind = 0; kind < kEditKinds; ++kind) {
+    report.set(to_text(static_cast<EditKind>(kind)), kinds[kind]);
+  }
+  report.set("refused", repair.refused.size());
+  for (const FaceFate fate :
+       {FaceFate::Closed, FaceFate::Split, FaceFate::Joined, FaceFate::Opened, FaceFate::Changed}) {
+    report.set("faces_" + to_text(fate),
+               std::ranges::count(repair.faces, fate, &FaceOutcome::fate));
+  }
+  report.set("tolerances", to_text(repair.tolerances));
+  report.set("reasons", repair.reasons);
+}
+
+}  // namespace
+
+ExitCode run(const RepairArguments& arguments, Report& report) {
+  const Output output{arguments.output, repair_formats(), arguments.format};
+  if (check_outputs(arguments.file,
+                    {output, {arguments.log, {"json"}}, {arguments.findings, finding_formats()}})) {
+    report.leave_standard_output();
+  }
+  const SegmentSet input = [&] {
+    const Progress progress("reading " + arguments.file, arguments);
+    return evaluate(read(arguments.file, arguments.reading), limits_of(arguments));
+  }();
+  ensure_all_drawn(arguments, input);
+  const Repair repaired = [&] {
+    const Progress progress(fmt::format("repairing {} segments", input.segments.size()), arguments);
+    return repair(input, arguments.repair);
+  }();
+  set_input(report, input);
+  set_counts(report, repaired);
+  const bool is_dry = arguments.dry_run || !arguments.output;
+  report.set("dry_run", is_dry);
+  report.print("{}", to_text(repaired, input, arguments.listed));
+  const auto write = [&](const std::string& file, const std::string& text) {
+    write_file(file, text);
+    report.say_written(file);
+  };
+  if (arguments.log) write(*arguments.log, to_json(repaired, input));
+  if (arguments.findings) {
+    write(*arguments.findings,
+          feature_file(format_of({arguments.findings, finding_formats()}),
+                       {{edit_layer(repaired, input)}, input.crs, "", {}, input.unit}));
+  }
+  if (is_dry) {
+    report.print("a dry run: the repaired drawing is not written{}\n",
+                 arguments.output ? "" : " (-o FILE)");
+  } else {
+    write(*arguments.output, content(format_of(output), repaired));
+  }
+  return repaired.refused.empty() ? kAgree : kDisagree;
+}
+
+}  // namespace plumbline::cli

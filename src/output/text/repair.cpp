@@ -1,0 +1,190 @@
+// A repair for a terminal: what was done, where, how far, and to which rooms.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "output/text/edits.hpp"
+#include "output/text/terminal.hpp"
+#include "output/text/verdict.hpp"
+#include "plumbline/error.hpp"
+#include "plumbline/output.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr std::size_t kShown = 18;        // edits on a screen
+constexpr std::size_t kShownRefused = 6;  // of those
+constexpr std::size_t kShownReasons = 6;
+constexpr std::size_t kFacesOfRow = 4;
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// What edits of a kind do, in words: one thing, what is done to it, how far.
+struct KindWords {
+  const char* thing;
+  const char* things;
+  const char* done;  ///< {} is the largest size
+};
+constexpr std::array<KindWords, kEditKinds> kWords{{
+    {"overlap", "overlaps", "merged"},
+    {"needless vertex", "needless vertices", "dissolved"},
+    {"end", "ends", "grown by up to {}"},
+    {"gap", "gaps", "of up to {} bridged"},
+    {"gap", "gaps", "of up to {} joined"},
+    {"opening", "openings", "of up to {} closed as doors"},
+    {"dangle", "dangles", "of up to {} trimmed"},
+    {"sliver", "slivers", "of up to {} removed"},
+    {"line", "lines", "welded by up to {}"},
+    {"vertex", "vertices", "snapped by up to {}"},
+    {"vertex", "vertices", "within {} left out"},
+}};
+
+std::string size_text(const Rational& squared) { return short_number(nearest_sqrt(squared)); }
+
+/// "3 ends grown by up to 0.02"; "" where there are none.
+std::string kind_text(const Repair& repair, std::size_t kind) {
+  std::size_t count = 0;
+  Rational largest;
+  for (const Edit& edit : repair.edits) {
+    if (static_cast<std::size_t>(edit.kind) != kind) continue;
+    ++count;
+    largest = std::max(largest, edit.squared_size);
+  }
+  if (count == 0) return {};
+  const KindWords& words = kWords.at(kind);
+  return fmt::format("{} {} ", count, count == 1 ? words.thing : words.things) +
+         fmt::format(fmt::runtime(words.done), size_text(largest));
+}
+
+/// "1 room closed, 2 split": those before that are split, each once.
+std::string faces_text(const Repair& repair) {
+  std::array<std::size_t, 5> counts{};
+  std::set<FaceId> split;
+  for (const FaceOutcome& outcome : repair.faces) {
+    if (outcome.fate == FaceFate::Split && !split.insert(outcome.before).second) continue;
+    ++counts.at(static_cast<std::size_t>(outcome.fate));
+  }
+  std::string text;
+  for (std::size_t fate = 0; fate < counts.size(); ++fate) {
+    if (counts[fate] == 0) continue;
+    const std::string number =
+        text.empty() ? counted(counts[fate], "room") : std::to_string(counts[fate]);
+    text += (text.empty() ? "" : ", ") + number + ' ' + to_text(static_cast<FaceFate>(fate));
+  }
+  return text.empty() ? "no room changed" : text;
+}
+
+/// Those that change most first: faces by area, then by size.
+std::vector<std::size_t> order_of(const Repair& repair) {
+  const std::vector<double> areas = effects(repair);
+  std::vector<std::size_t> order(repair.edits.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (areas[a] != areas[b]) return areas[a] > areas[b];
+    return repair.edits[a].squared_size > repair.edits[b].squared_size;
+  });
+  return order;
+}
+
+/// In digits that suit the size of what happened there.
+std::string at(const Point& where, const Rational& squared_size) {
+  constexpr double kLeast = 1e-9;  // of the coordinates
+  const PointD p = nearest(where);
+  return place_text(where, std::max({nearest_sqrt(squared_size), kLeast * std::abs(p.x),
+                                     kLeast * std::abs(p.y), 1e-300}));
+}
+
+/// "plan.dxf:312 LINE #2F on A-WALL and 2 more".
+std::string element_text(const SegmentSet& input, const std::vector<SegmentId>& segments) {
+  const std::vector<SourceId> sources = sources_of(input, segments);
+  if (sources.empty()) return "nothing";
+  Source source = input.sources[sources.front()];
+  source.path.clear();
+  source.column = 0;
+  std::vector<std::string> names;
+  for (const std::string& file : input.files) names.push_back(file.substr(file.rfind('/') + 1));
+  std::string text = to_text(source, names);
+  if (!source.layer.empty()) text += " on " + source.layer;
+  if (sources.size() > 1) text += fmt::format(" and {} more", sources.size() - 1);
+  return line_text(text);
+}
+
+std::string row(std::string_view number, const std::string& kind, const std::string& size,
+                const std::string& where, const std::string& rest) {
+  return fmt::format("{:>5}  {:<8}  {:>11}  {:<24}  {}\n", number, kind, size, where, rest);
+}
+
+void append_edits(std::string& text, const Repair& repair, const SegmentSet& input,
+                  std::size_t most) {
+  if (repair.edits.empty() || most == 0) return;
+  const std::vector<std::string> rooms = room_texts(repair, kFacesOfRow);
+  const std::size_t shown = std::min(most, repair.edits.size());
+  text += row("edit", "what", "how far", "where", "element: rooms");
+  const std::vector<std::size_t> order = order_of(repair);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t e = order[i];
+    const Edit& edit = repair.edits[e];
+    const std::string size = sgn(edit.squared_size) == 0 ? "0" : size_text(edit.squared_size);
+    text += row(std::to_string(e + 1), to_text(edit.kind), size, at(edit.where, edit.squared_size),
+                element_text(input, segments_of(edit)) + (rooms[e].empty() ? "" : ": " + rooms[e]));
+  }
+  if (shown < repair.edits.size()) {
+    text += fmt::format("       ... and {} more (--list N, --log, --findings)\n",
+                        repair.edits.size() - shown);
+  }
+}
+
+void append_refused(std::string& text, const Repair& repair, const SegmentSet& input,
+                    std::size_t most) {
+  if (repair.refused.empty() || most == 0) return;
+  text += row("", "refused", "how far", "where", "why: element");
+  const std::size_t shown = std::min(most, repair.refused.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Refusal& refusal = repair.refused[i];
+    text += row("", to_text(refusal.kind), size_text(refusal.squared_size),
+                at(refusal.where, refusal.squared_size),
+                line_text(refusal.reason) + ": " + element_text(input, refusal.segments));
+  }
+  if (shown < repair.refused.size()) {
+    text += fmt::format("       ... and {} more\n", repair.refused.size() - shown);
+  }
+}
+
+}  // namespace
+
+std::string repair_line(const Repair& repair) {
+  std::string text =
+      repair.edits.empty() ? "no edits" : counted(repair.edits.size(), "edit") + ": ";
+  bool is_first = true;
+  for (std::size_t kind = 0; kind < kEditKinds; ++kind) {
+    const std::string words = kind_text(repair, kind);
+    if (words.empty()) continue;
+    text += (is_first ? "" : ", ") + words;
+    is_first = false;
+  }
+  if (!repair.edits.empty()) text += "; " + faces_text(repair);
+  if (!repair.refused.empty()) text += fmt::format("; {} refused", repair.refused.size());
+  return text;
+}
+
+std::string to_text(const Repair& repair, const SegmentSet& input,
+                    std::optional<std::size_t> listed) {
+  std::string text = repair_line(repair) + "\ntolerances: " + to_text(repair.tolerances) + '\n';
+  const std::size_t reasons = std::min(repair.reasons.size(), kShownReasons);
+  for (std::size_t i = 0; i < reasons; ++i) text += "  " + line_text(repair.reasons[i]) + '\n';
+  if (!repair.anchored.empty()) {
+    text += counted(repair.anchored.size(), "segment") + " anchored\n";
+  }
+  append_edits(text, repair, input, listed.value_or(kShown));
+  append_refused(text, repair, input, std::max(listed.value_or(0), kShownRefused));
+  return text;
+}
+
+}  // namespace plumbline
