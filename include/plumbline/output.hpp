@@ -175,9 +175,9 @@ std::string to_text(const Repair& repair, const SegmentSet& input,
                     std::optional<std::size_t> listed = {});
 /// The log as JSON: tolerances, edits, faces, what was refused.
 std::string to_json(const Repair& repair, const SegmentSet& input);
-/// The repaired lines as a layer of lines, on the layers of their elements, virtual ones on
-/// kVirtualLayer. Columns: `line`, `layer`, `source` (the element), `id` (of it), `virtual` (0, 1).
-FeatureLayer line_layer(const Repair& repair);
+/// A repaired drawing as a layer of lines, on the layers of their elements. Columns: `line`,
+/// `layer`, `source` (the element), `id` (of it), `virtual` (1 for those on kVirtualLayer, else 0).
+FeatureLayer line_layer(const SegmentSet& lines);
 /// The edits, and then what was refused, as a layer of points; on layers by kind.
 FeatureLayer edit_layer(const Repair& repair, const SegmentSet& input);
 

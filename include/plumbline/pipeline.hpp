@@ -12,6 +12,7 @@
 
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
+#include "plumbline/edits.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/round.hpp"
 
@@ -54,6 +55,10 @@ struct Drawing {
 /// Internal, with the first violation, where the exact arrangement fails a check or the engines
 /// differ.
 Drawing exact_answer(const std::filesystem::path& file, const DrawingOptions& options = {});
+
+/// What the log of a repair, as `to_json` writes it, says was changed: for `undo`. Throws: Error
+/// BadFile; BadInput, with its place, for what is no such log.
+std::vector<NetChange> read_repair_log(const std::filesystem::path& file);
 
 /// All engines that there are, by name: lar, inters, files.
 std::vector<Engine> engines();

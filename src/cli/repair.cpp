@@ -20,12 +20,11 @@ namespace {
 
 constexpr const char* kRounded = "nearest doubles";
 
-std::string content(std::string_view format, const Repair& repair) {
-  const SegmentSet& output = repair.output;
+std::string content(std::string_view format, const SegmentSet& output) {
   if (format == "lines") return to_lines(output);
   if (format == "svg") return to_svg(output);
   return feature_file(format,
-                      {{line_layer(repair)}, output.crs, kRounded, output.layers, output.unit});
+                      {{line_layer(output)}, output.crs, kRounded, output.layers, output.unit});
 }
 
 /// How many edits of each kind, how many faces of each fate.
@@ -46,6 +45,30 @@ void set_counts(Report& report, const Repair& repair) {
   report.set("reasons", repair.reasons);
 }
 
+SegmentSet drawing_of(const RepairArguments& arguments) {
+  const Progress progress("reading " + arguments.file, arguments);
+  return evaluate(read(arguments.file, arguments.reading), limits_of(arguments));
+}
+
+/// Writes what the repaired drawing was made of.
+ExitCode run_undo(const RepairArguments& arguments, const Output& output, Report& report) {
+  const std::vector<NetChange> changes = read_repair_log(*arguments.undo);
+  const SegmentSet repaired = drawing_of(arguments);
+  const SegmentSet original = undo(repaired, changes);
+  std::size_t before = 0, after = 0;
+  for (const NetChange& change : changes) {
+    before += change.before.size();
+    after += change.after.size();
+  }
+  set_input(report, original);
+  report.set("changes", changes.size());
+  report.print("{} changes undone: {} lines gave way to the {} that were there\n", changes.size(),
+               after, before);
+  write_file(*output.file, content(format_of(output), original));
+  report.say_written(*output.file);
+  return kAgree;
+}
+
 }  // namespace
 
 ExitCode run(const RepairArguments& arguments, Report& report) {
@@ -54,10 +77,8 @@ ExitCode run(const RepairArguments& arguments, Report& report) {
                     {output, {arguments.log, {"json"}}, {arguments.findings, finding_formats()}})) {
     report.leave_standard_output();
   }
-  const SegmentSet input = [&] {
-    const Progress progress("reading " + arguments.file, arguments);
-    return evaluate(read(arguments.file, arguments.reading), limits_of(arguments));
-  }();
+  if (arguments.undo) return run_undo(arguments, output, report);
+  const SegmentSet input = drawing_of(arguments);
   ensure_all_drawn(arguments, input);
   const Repair repaired = [&] {
     const Progress progress(fmt::format("repairing {} segments", input.segments.size()), arguments);
@@ -82,7 +103,7 @@ ExitCode run(const RepairArguments& arguments, Report& report) {
     report.print("a dry run: the repaired drawing is not written{}\n",
                  arguments.output ? "" : " (-o FILE)");
   } else {
-    write(*arguments.output, content(format_of(output), repaired));
+    write(*arguments.output, content(format_of(output), repaired.output));
   }
   return repaired.refused.empty() ? kAgree : kDisagree;
 }

@@ -93,10 +93,11 @@ void add_choices(CLI::App& command, RepairOptions& options) {
 
 void add_outputs(CLI::App& command, RepairArguments& arguments) {
   command.option_defaults()->group("Output");
-  add_output(command, arguments.output, arguments.format,
-             "Write the repaired drawing; without it this is a dry run. A .lines file is exact, "
-             "others have nearest doubles",
-             repair_formats());
+  CLI::Option* output = add_output(
+      command, arguments.output, arguments.format,
+      "Write the repaired drawing; without it this is a dry run. A .lines file is exact, "
+      "others have nearest doubles",
+      repair_formats());
   command.add_flag("--dry-run", arguments.dry_run,
                    "Say what would be done; of files write only --log and --findings");
   command
@@ -109,6 +110,14 @@ void add_outputs(CLI::App& command, RepairArguments& arguments) {
                   "Write the edits as points: .geojson, .csv, .dxf (a layer for each kind) and the "
                   "like")
       ->type_name("FILE");
+  command
+      .add_option_function<std::string>(
+          "--undo", [&](const std::string& log) { arguments.undo = file_of(log); },
+          "FILE is a repaired drawing and this the log of its repair: write to -o what it was made "
+          "of")
+      ->needs(output)
+      ->excludes("--dry-run", "--log", "--findings")
+      ->type_name("LOG");
   command
       .add_option("--list", arguments.listed,
                   "Print the N edits that do most [default: as many as fit on a screen]")
@@ -125,6 +134,7 @@ CLI::App* add_command(CLI::App& app, RepairArguments& arguments) {
       "Examples: plumbline repair plan.dxf\n"
       "          plumbline repair plan.dxf -o fixed.dxf --log fixes.json\n"
       "          plumbline repair plan.svg --tolerance 0.05 --weld off --doors 0.6..1.2\n"
+      "          plumbline repair fixed.dxf --undo fixes.json -o plan.dxf\n"
       "Exit codes: 0 there is nothing left to say, 1 something was refused, 2 bad input.");
   add_file(*command, arguments);
   add_outputs(*command, arguments);

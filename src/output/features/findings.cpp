@@ -4,35 +4,19 @@
 #include <algorithm>
 #include <optional>
 
-#include "output/text/verdict.hpp"
+#include "output/features/points.hpp"
 #include "plumbline/output.hpp"
 
 namespace plumbline {
 namespace {
 
-/// Nothing where there is no text.
-FeatureValue text(std::string words) {
-  return words.empty() ? FeatureValue() : FeatureValue(std::move(words));
-}
-FeatureValue number(std::size_t value) { return static_cast<std::int64_t>(value); }
+using namespace features;
+
 template <class T>
 FeatureValue given(const std::optional<T>& value) {
   if (!value) return {};
   if constexpr (std::is_same_v<T, double>) return *value;
   return number(static_cast<std::size_t>(*value));
-}
-
-/// The sources of segments, one after the other.
-FeatureValue sources_text(const SegmentSet& input, const std::vector<SegmentId>& segments) {
-  std::string words;
-  for (const SourceId source : sources_of(input, segments)) {
-    words += (words.empty() ? "" : "; ") + to_text(input.sources[source], input.files);
-  }
-  return text(std::move(words));
-}
-
-Feature point_at(const Point& where, std::vector<FeatureValue> values, std::string layer) {
-  return {{{nearest(where)}}, std::move(values), std::move(layer)};
 }
 
 Feature feature_of(const SegmentSet& input, const Finding& f, const Cause& cause,

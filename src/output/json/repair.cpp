@@ -1,5 +1,7 @@
 // The log of a repair as JSON; documented in docs/json.md.
 
+#include <algorithm>
+
 #include "output/json/input.hpp"
 #include "output/text/edits.hpp"
 #include "output/text/verdict.hpp"
@@ -41,6 +43,19 @@ auto face(const FaceOutcome& f) {
                 member("edits", list(f.edits, [](std::size_t e) { return e + 1; })));
 }
 
+auto segment(const Segment& s) { return object(member("from", s.a), member("to", s.b)); }
+
+auto change(const SegmentSet& input, const NetChange& c) {
+  const auto sourced = [&input](const SourcedSegment& s) {
+    Source source = s.source;
+    source.file =
+        static_cast<std::uint32_t>(std::ranges::find(input.files, s.file) - input.files.begin());
+    return object(member("from", s.segment.a), member("to", s.segment.b),
+                  member("element", object(source_members(source))));
+  };
+  return object(member("before", list(c.before, sourced)), member("after", list(c.after, segment)));
+}
+
 auto tolerances(const Tolerances& t) {
   const auto range = [](const Range& doors) { return std::tie(doors.least, doors.most); };
   return object(member("weld", t.weld), member("grow", t.grow), member("trim", t.trim),
@@ -55,11 +70,13 @@ std::string to_json(const Repair& repair, const SegmentSet& input) {
   using namespace json;
   const auto edit_at = [&](std::size_t e) { return edit(repair, input, e); };
   const auto refused = [&](const Refusal& r) { return refusal(input, r); };
+  const std::vector<NetChange> changes = net_changes(input, repair);
   return document(object(
       member("format", "plumbline repair 1"), member("exact", input.ledger.empty()),
       member("tolerances", tolerances(repair.tolerances)), member("reasons", repair.reasons),
       member("edits", list(repair.edits.size(), edit_at)),
       member("refused", list(repair.refused, refused)), member("faces", list(repair.faces, face)),
+      member("changes", list(changes, [&](const NetChange& c) { return change(input, c); })),
       member("anchored", repair.anchored), crs_member(input.crs), member("files", input.files),
       losses(input.rejected, input.remarks, input.ledger)));
 }

@@ -18,10 +18,6 @@ constexpr std::size_t kWorstOfKind = 3;    // of them
 constexpr std::size_t kShownOpenings = 3;  // places of them
 constexpr std::size_t kShownTolerances = 3;
 
-std::string counted(std::size_t count, const std::string& thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 /// "  12 gaps, 1 sliver, ...": what there is, in lines that a terminal does not break.
 std::string counts_lines(const Diagnosis& diagnosis) {
   constexpr std::size_t kWidth = 100;

@@ -17,14 +17,10 @@
 namespace plumbline {
 namespace {
 
-constexpr std::size_t kShown = 18;        // edits on a screen
+constexpr std::size_t kShownEdits = 18;   // edits on a screen
 constexpr std::size_t kShownRefused = 6;  // of those
 constexpr std::size_t kShownReasons = 6;
 constexpr std::size_t kFacesOfRow = 4;
-
-std::string counted(std::size_t count, const std::string& thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
 
 /// What edits of a kind do, in words: one thing, what is done to it, how far.
 struct KindWords {
@@ -182,7 +178,7 @@ std::string to_text(const Repair& repair, const SegmentSet& input,
   if (!repair.anchored.empty()) {
     text += counted(repair.anchored.size(), "segment") + " anchored\n";
   }
-  append_edits(text, repair, input, listed.value_or(kShown));
+  append_edits(text, repair, input, listed.value_or(kShownEdits));
   append_refused(text, repair, input, std::max(listed.value_or(0), kShownRefused));
   return text;
 }

@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::size_t kShown = 25;
 
-std::string counted(std::size_t count, const char* thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 /// The first so many bytes, of whole characters, or all of it.
 std::string cut(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;

@@ -43,6 +43,10 @@ std::string coordinate(const Rational& value, double tolerance) {
 
 }  // namespace
 
+std::string counted(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
 std::string short_number(double value) { return fmt::format("{:.6g}", value); }
 
 std::string place_text(const Point& place, double tolerance) {

@@ -8,6 +8,9 @@
 
 namespace plumbline {
 
+/// "1 edit", "2 edits".
+std::string counted(std::size_t count, std::string_view thing);
+
 /// Six digits: a terminal is for people, JSON has all of them.
 std::string short_number(double value);
 
