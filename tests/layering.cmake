@@ -47,7 +47,7 @@ room(engines/inters/explain error geometry engine engines/lar/stages engines/int
 room(output error number geometry structure complex rooms polygons chains round features diagnose edits check)
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
-room(pipeline error geometry read chains arrange round edits check engines/lar/stages engines/inters/stages engines/files)
+room(pipeline error geometry read chains arrange round edits check output engines/lar/stages engines/inters/stages engines/files)
 room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings diagnose edits repair engine check
      engines/lar/stages engines/inters/stages engines/files output engines/lar/show engines/inters/show
      pipeline)
@@ -56,6 +56,7 @@ room(checker)
 
 # The room of a header in include/plumbline/, if it is not that of its name.
 set(room_of_cgal arrange)
+set(room_of_patch output)
 
 # The room of a file in include/plumbline/ or src/, or what an include line names there.
 function(find_room path result)

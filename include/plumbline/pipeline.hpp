@@ -56,6 +56,20 @@ struct Drawing {
 /// differ.
 Drawing exact_answer(const std::filesystem::path& file, const DrawingOptions& options = {});
 
+/// The text of a drawing's file with what is different in another drawing made of it
+/// (`patched_dxf`, `patched_svg`), or why that cannot be done.
+struct PatchedFile {
+  std::string text;
+  std::vector<Source> replaced;  ///< elements that gave way to lines
+  std::string why_not;           ///< "" where it is done
+};
+/// Of `input`, as it was read from the file with these options. The text is read again: it has the
+/// segments of `output`, as nearest doubles. Curves that would meet other lines now, and so have
+/// other chords, become lines, too. `format` is wanted. Throws: Error BadFile.
+PatchedFile patched_file(const std::filesystem::path& file, std::string_view format,
+                         const ReadOptions& options, const SegmentSet& input,
+                         const SegmentSet& output);
+
 /// What the log of a repair, as `to_json` writes it, says was changed: for `undo`. Throws: Error
 /// BadFile; BadInput, with its place, for what is no such log.
 std::vector<NetChange> read_repair_log(const std::filesystem::path& file);

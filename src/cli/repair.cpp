@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "cli/commands.hpp"
 #include "cli/complex_file.hpp"
@@ -13,18 +14,56 @@
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
+#include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
+#include "plumbline/pipeline.hpp"
 
 namespace plumbline::cli {
 namespace {
 
 constexpr const char* kRounded = "nearest doubles";
 
+/// All lines, anew.
 std::string content(std::string_view format, const SegmentSet& output) {
   if (format == "lines") return to_lines(output);
   if (format == "svg") return to_svg(output);
   return feature_file(format,
                       {{line_layer(output)}, output.crs, kRounded, output.layers, output.unit});
+}
+
+/// "3 ARC, 1 SPLINE": of elements that were no lines.
+std::string became_lines(const std::vector<Source>& replaced) {
+  std::map<std::string, std::size_t> counts;
+  for (const Source& source : replaced) {
+    if (source.element != "LINE" && source.element != "line") ++counts[source.element];
+  }
+  std::string text;
+  for (const auto& [element, count] : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, line_text(element));
+  }
+  return text;
+}
+
+/// Writes a drawing made of that which was read: into the file that it had, as far as that goes.
+void write_drawing(const RepairArguments& arguments, const Output& file, const SegmentSet& input,
+                   const SegmentSet& output, Report& report) {
+  const std::string_view format = format_of(file);
+  std::string text;
+  if (format == "dxf" || format == "svg") {
+    PatchedFile patched = patched_file(arguments.file, format, arguments.reading, input, output);
+    report.set("patched", patched.why_not.empty());
+    if (patched.why_not.empty()) {
+      const std::string lines = became_lines(patched.replaced);
+      report.set("replaced_elements", patched.replaced.size());
+      report.print("all but {} elements stay as they are in the file{}\n", patched.replaced.size(),
+                   lines.empty() ? "" : "; now lines: " + lines);
+      text = std::move(patched.text);
+    } else {
+      report.print("lines alone are written, of all elements: {}\n", patched.why_not);
+    }
+  }
+  write_file(*file.file, text.empty() ? content(format, output) : text);
+  report.say_written(*file.file);
 }
 
 /// How many edits of each kind, how many faces of each fate.
@@ -64,8 +103,7 @@ ExitCode run_undo(const RepairArguments& arguments, const Output& output, Report
   report.set("changes", changes.size());
   report.print("{} changes undone: {} lines gave way to the {} that were there\n", changes.size(),
                after, before);
-  write_file(*output.file, content(format_of(output), original));
-  report.say_written(*output.file);
+  write_drawing(arguments, output, repaired, original, report);
   return kAgree;
 }
 
@@ -103,7 +141,7 @@ ExitCode run(const RepairArguments& arguments, Report& report) {
     report.print("a dry run: the repaired drawing is not written{}\n",
                  arguments.output ? "" : " (-o FILE)");
   } else {
-    write(*arguments.output, content(format_of(output), repaired.output));
+    write_drawing(arguments, output, input, repaired.output, report);
   }
   return repaired.refused.empty() ? kAgree : kDisagree;
 }
