@@ -26,20 +26,20 @@ constexpr std::size_t kFacesOfRow = 4;
 struct KindWords {
   const char* thing;
   const char* things;
-  const char* done;  ///< {} is the largest size
+  const char* done;  ///< {} is "up to 0.02", or what the only one has
 };
 constexpr std::array<KindWords, kEditKinds> kWords{{
     {"overlap", "overlaps", "merged"},
     {"needless vertex", "needless vertices", "dissolved"},
-    {"end", "ends", "grown by up to {}"},
-    {"gap", "gaps", "of up to {} bridged"},
-    {"gap", "gaps", "of up to {} joined"},
-    {"opening", "openings", "of up to {} closed as doors"},
-    {"dangle", "dangles", "of up to {} trimmed"},
-    {"sliver", "slivers", "of up to {} removed"},
-    {"line", "lines", "welded by up to {}"},
-    {"vertex", "vertices", "snapped by up to {}"},
-    {"vertex", "vertices", "within {} left out"},
+    {"end", "ends", "grown by {}"},
+    {"gap", "gaps", "of {} bridged"},
+    {"gap", "gaps", "of {} joined"},
+    {"door", "doors", "of {} closed"},
+    {"dangle", "dangles", "of {} trimmed"},
+    {"sliver", "slivers", "of {} removed"},
+    {"line", "lines", "welded by {}"},
+    {"vertex", "vertices", "snapped by {}"},
+    {"vertex", "vertices", "left out, moving lines by {}"},
 }};
 
 std::string size_text(const Rational& squared) { return short_number(nearest_sqrt(squared)); }
@@ -56,7 +56,7 @@ std::string kind_text(const Repair& repair, std::size_t kind) {
   if (count == 0) return {};
   const KindWords& words = kWords.at(kind);
   return fmt::format("{} {} ", count, count == 1 ? words.thing : words.things) +
-         fmt::format(fmt::runtime(words.done), size_text(largest));
+         fmt::format(fmt::runtime(words.done), (count == 1 ? "" : "up to ") + size_text(largest));
 }
 
 /// "1 room closed, 2 split": those before that are split, each once.
@@ -100,7 +100,7 @@ std::string at(const Point& where, const Rational& squared_size) {
 /// "plan.dxf:312 LINE #2F on A-WALL and 2 more".
 std::string element_text(const SegmentSet& input, const std::vector<SegmentId>& segments) {
   const std::vector<SourceId> sources = sources_of(input, segments);
-  if (sources.empty()) return "nothing";
+  if (sources.empty()) return "a new line";
   Source source = input.sources[sources.front()];
   source.path.clear();
   source.column = 0;
