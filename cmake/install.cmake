@@ -40,7 +40,7 @@ install(FILES ${PROJECT_BINARY_DIR}/plumbline.pc DESTINATION ${CMAKE_INSTALL_LIB
 # JSON schemas, licences, documents.
 set(docs ${PROJECT_SOURCE_DIR}/docs)
 install(FILES ${docs}/arrange.schema.json ${docs}/check.schema.json ${docs}/diagnosis.schema.json
-              ${docs}/rooms.schema.json ${docs}/summary.schema.json
+              ${docs}/repair.schema.json ${docs}/rooms.schema.json ${docs}/summary.schema.json
         DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline COMPONENT tool)
 install(FILES LICENSE CHANGELOG.md src/web/notices.txt ${docs}/json.md ${docs}/formats.md
               ${docs}/certificate.md ${docs}/divergences.md ${docs}/trust.md
