@@ -46,16 +46,19 @@ for drawing in "$data"/{dwelling,hospital-ward,office-plan}.svg "$data"/{flat.dx
     expect "arrange $options $name" 0 '^$' fits arrange arrange "$drawing" --lenient $options -o - --format json
   done
   expect "rooms $name" 0 '^$' fits rooms rooms "$drawing" --lenient -o - --format json
+  [[ $name == far.lines ]] || expect "repair $name" 0 '^$' fits repair repair "$drawing" --lenient --tolerance 0.01 --doors 0.6..1.2 --log -
   expect "diagnosis $name" 0 '^$' fits diagnosis info "$drawing" --lenient --diagnose -o -
   expect "check $name" 0 '^$' fits check check "$drawing" --lenient -o -
 done
 
 # ---- Summaries
 for drawing in "$data/flat.dxf" mixed.svg; do
-  for command in arrange info check lar rooms; do
+  for command in arrange info check lar rooms repair; do
     expect "summary of $command" 0 '^$' summary_fits $command "$drawing" --lenient
   done
 done
+expect "of a repair that is written" 0 '^$' summary_fits repair "$data/dwelling.svg" -o repaired.svg --log repaired.json
+expect "of one that is undone" 0 '^$' summary_fits repair repaired.svg --undo repaired.json -o undone.svg
 expect "of the same with more to tell" 0 '^$' summary_fits info "$data/dwelling.svg" --diagnose --ladder
 expect "of LAR's module as published" 0 '^$' summary_fits lar "$data/dwelling.svg" --variant published
 expect "of an engine without a radius" 0 '^$' summary_fits check "$data/rooms.geojson" --against "$data/rooms.wkt"
@@ -79,6 +82,11 @@ expect "a key that is new" 1 ':' damaged arrange 's/"exact": true/"exact": true,
 expect "an area as text" 1 ':' damaged rooms 's/"area": ([0-9.]+)/"area": "\1"/'
 expect "a room counted from 0" 1 ':' damaged rooms 's/"room": 1/"room": 0/'
 expect "a name that is none" 1 ':' damaged rooms 's/"names": \[[^]]*\]/"names": [1]/'
+printf '0,0,10.03,0\n10,0.02,10,8\n' >corner.lines
+"$plumbline" repair corner.lines --tolerance 0.05 --log plan.json >/dev/null
+expect "an edit of another kind" 1 ':' damaged repair 's/"kind": "grow"/"kind": "cut"/'
+expect "an edit counted from 0" 1 ':' damaged repair 's/"number": 1/"number": 0/'
+expect "a size as text alone" 1 ':' damaged repair 's/"size": ([0-9.]+)/"size": "\1"/'
 "$plumbline" arrange "$data/flat.dxf" --json >plan.json
 expect "a summary with half a vertex" 1 ':' damaged summary 's/"vertices": [0-9]+/&.5/'
 expect "a summary of another command's keys" 1 ':' damaged summary 's/"signature"/"agree"/'
