@@ -1,8 +1,10 @@
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <sstream>
 
 #include "plumbline/edits.hpp"
 #include "plumbline/patch.hpp"
+#include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
 
 using namespace plumbline;
@@ -209,4 +211,33 @@ TEST_CASE("SVG: what is used in several places has a path for all of them, witho
   REQUIRE(patch);
   CHECK(holds(patch->text, "<path d=\"M0 0L1 0M5 0L7 0\"/>"));
   CHECK(svg(patch->text).segments.size() == 2);
+}
+
+TEST_CASE("a curve that would be cut at other points once a line has changed becomes lines, too") {
+  const std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg"><line x2="2.7" y2="1.1"/>)"
+                           R"(<circle cx="3" cy="1" r="1"/><circle cx="9" cy="1" r="1"/></svg>)";
+  std::ofstream("cut.svg") << text;
+  const SegmentSet input = evaluate(read("cut.svg"));
+  const SegmentSet output = with(input, 0, {{0, 0}, {1, Rational(11, 27)}});
+  const auto alone = patched_svg(text, input, output);
+  REQUIRE(alone);
+  CHECK(svg(alone->text).segments.size() < input.segments.size());  // a vertex of the circle went
+  const PatchedFile patched = patched_file("cut.svg", "svg", {}, input, output);
+  CHECK(patched.why_not.empty());
+  REQUIRE(patched.replaced.size() == 2);
+  CHECK(patched.replaced[1].element == "circle");
+  CHECK(holds(patched.text, R"(<circle cx="9" cy="1" r="1"/>)"));
+  CHECK(svg(patched.text).segments.size() == input.segments.size());
+}
+
+TEST_CASE("a file of another format, or one that holds something else by now, is not patched") {
+  std::ofstream("other.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><line x2="2"/></svg>)";
+  const SegmentSet input = evaluate(read("other.svg"));
+  const SegmentSet output = with(input, 0, {{0, 0}, {3, 0}});
+  CHECK(holds(patched_file("other.svg", "dxf", {}, input, output).why_not, "made of a .svg one"));
+  std::ofstream("other.svg")
+      << R"(<svg xmlns="http://www.w3.org/2000/svg"><line x2="2"/><line y2="1"/></svg>)";
+  const PatchedFile patched = patched_file("other.svg", "svg", {}, input, output);
+  CHECK(holds(patched.why_not, "read again"));
+  CHECK(patched.text.empty());
 }

@@ -105,12 +105,14 @@ PatchedFile patched_file(const std::filesystem::path& file, std::string_view for
     const std::vector<Rounded> missing = lacking(wanted, found);
     if (missing.empty() && found.size() == wanted.size() &&
         count_lost(again.rejected) <= count_lost(input.rejected)) {
-      result.text = std::move(patch->text);
-      result.replaced = std::move(patch->replaced);
-      return result;
+      return {std::move(patch->text), std::move(patch->replaced), ""};
     }
     result.why_not =
         fmt::format("read again, {} of {} lines would be others", missing.size(), wanted.size());
+    if (!missing.empty()) {
+      const PointD& at = missing.front().a;
+      result.why_not += fmt::format(", one at ({}, {})", shortest_text(at.x), shortest_text(at.y));
+    }
     if (!add_elements(missing, input, output, also)) break;
   }
   return result;

@@ -19,6 +19,8 @@ struct Changed {
 struct Changes {
   std::vector<Changed> elements;  ///< by line and column
   std::vector<SegmentId> added;   ///< of the output, of no element of the file
+
+  bool empty() const { return elements.empty() && added.empty(); }
 };
 
 /// Compares what each element has in input and output, as sets of segments.

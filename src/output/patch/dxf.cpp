@@ -184,9 +184,10 @@ class DxfPatch {
 
 std::optional<Patch> patched_dxf(std::string_view text, const SegmentSet& input,
                                  const SegmentSet& output, const std::vector<bool>& also) {
+  const patch::Changes changes = patch::changes_of(input, output, also);
+  if (changes.empty()) return Patch{std::string(text), {}};
   const std::optional<patch::DxfText> file = patch::dxf_text_of(text);
-  if (!file) return std::nullopt;
-  return patch::DxfPatch(*file, output).patch(patch::changes_of(input, output, also));
+  return file ? patch::DxfPatch(*file, output).patch(changes) : std::nullopt;
 }
 
 }  // namespace plumbline

@@ -143,7 +143,9 @@ class SvgPatch {
 
 std::optional<Patch> patched_svg(std::string_view text, const SegmentSet& input,
                                  const SegmentSet& output, const std::vector<bool>& also) {
-  return patch::SvgPatch(text, output).patch(patch::changes_of(input, output, also));
+  const patch::Changes changes = patch::changes_of(input, output, also);
+  if (changes.empty()) return Patch{std::string(text), {}};
+  return patch::SvgPatch(text, output).patch(changes);
 }
 
 }  // namespace plumbline
