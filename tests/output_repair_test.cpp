@@ -74,12 +74,15 @@ TEST_CASE("a repair as a table: what does most comes first, with element and roo
               "off, doors 0.6..9\n  grow 0.05: nothing lies between 0.03 and 1\n"));
   CHECK(holds(
       text,
-      "    3  door                8  (5, 4)                    a new line: split 80 = 40 + 40\n"
-      "    1  grow             0.02  (10, 0.02)                plan.lines:2 row: closed 80\n"
-      "    2  trim             0.03  (10, 0)                   plan.lines:1 row\n"));
-  CHECK(holds(text, "two"));
-  CHECK_FALSE(holds(text, "two\n"));
-  CHECK(holds(text, "lines want it: plan.lines:1 row"));
+      "edit  what        how far  where               rooms                     element\n"
+      "   3  door              8  (5, 4)              split 80 = 40 + 40        a new line\n"
+      "   1  grow           0.02  (10, 0.02)          closed 80                 plan.lines:2 row\n"
+      "   2  trim           0.03  (10, 0)                                       plan.lines:1 "
+      "row\n"));
+  CHECK(holds(text,
+              "refused: two\xef\xbf\xbdlines want it\n"
+              "      weld       0.333333  (1, 1)                                        "
+              "plan.lines:1 row\n"));
   CHECK(holds(to_text(repaired(input), input, 1), "... and 2 more"));
 }
 

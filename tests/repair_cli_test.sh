@@ -21,7 +21,7 @@ expect "which writes the log" 0 '"kind": "grow"' cat dry.json
 leaves "and nothing else" corner.lines dry.json
 printf '0,0,10.03,0\n10,0.02,10,8\n10,8,0,8\n0,8,0,0\n' >corner.lines
 expect "edits are counted, with sizes" 0 '^2 edits: 1 end grown by 0.02, 1 dangle of 0.03 trimmed' "$plumbline" repair corner.lines --tolerance 0.05
-expect "with place and element" 0 'grow +0.02 +\(10, 0.02\) +corner.lines:2 row' "$plumbline" repair corner.lines --tolerance 0.05
+expect "with place and element" 0 'grow +0.02 +\(10, 0.02\) +closed 80 +corner.lines:2 row' "$plumbline" repair corner.lines --tolerance 0.05
 expect "one number is for all" 0 'weld 0.05, grow 0.05, trim 0.05, sliver 0.05' "$plumbline" repair corner.lines --tolerance 0.05
 expect "what is said of one wins, before it, too" 0 'weld off, grow 1/30, trim 0.05' "$plumbline" repair corner.lines --grow 1/30 --weld 0 --tolerance 0.05
 expect "off is off" 0 'grow off, trim off.*snap off' "$plumbline" repair corner.lines --tolerance off

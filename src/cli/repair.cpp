@@ -53,7 +53,7 @@ void write_drawing(const RepairArguments& arguments, const Output& file, const S
     PatchedFile patched = patched_file(arguments.file, format, arguments.reading, input, output);
     report.set("patched", patched.why_not.empty());
     if (patched.why_not.empty()) {
-      const std::string lines = became_lines(patched.replaced);
+      const std::string lines = arguments.undo ? "" : became_lines(patched.replaced);
       report.set("replaced_elements", patched.replaced.size());
       report.print("all but {} elements stay as they are in the file{}\n", patched.replaced.size(),
                    lines.empty() ? "" : "; now lines: " + lines);

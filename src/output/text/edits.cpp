@@ -33,7 +33,7 @@ std::string together(const std::vector<const FaceOutcome*>& outcomes, FaceFate f
           text += area(outcome->area_after);
           break;
         case FaceFate::Split:
-          text += area(outcome->area_before) + " = " + area(outcome->area_after);
+          text += area(outcome->area_after);
           break;
         case FaceFate::Opened:
           text += area(outcome->area_before);

@@ -11,7 +11,7 @@ namespace plumbline {
 /// All segments of the input that the edit's lines stand for, ascending, each once.
 std::vector<SegmentId> segments_of(const Edit& edit);
 
-/// Per edit what it did to rooms: "closed 80, split 80: 40 + 40"; "" where nothing. At most so many
+/// Per edit what it did to rooms: "closed 80, split 40 + 40"; "" where nothing. At most so many
 /// faces of each edit.
 std::vector<std::string> room_texts(const Repair& repair, std::size_t most);
 /// Per edit the area of the faces that it changed.

@@ -17,10 +17,10 @@
 namespace plumbline {
 namespace {
 
-constexpr std::size_t kShownEdits = 18;   // edits on a screen
-constexpr std::size_t kShownRefused = 6;  // of those
+constexpr std::size_t kShownEdits = 16;   // on a screen
+constexpr std::size_t kShownRefused = 4;  // with a line for a reason each
 constexpr std::size_t kShownReasons = 6;
-constexpr std::size_t kFacesOfRow = 4;
+constexpr std::size_t kFacesOfRow = 2, kFacesOfList = 20;
 
 /// What edits of a kind do, in words: one thing, what is done to it, how far.
 struct KindWords {
@@ -112,44 +112,57 @@ std::string element_text(const SegmentSet& input, const std::vector<SegmentId>& 
   return line_text(text);
 }
 
-std::string row(std::string_view number, const std::string& kind, const std::string& size,
-                const std::string& where, const std::string& rest) {
-  return fmt::format("{:>5}  {:<8}  {:>11}  {:<24}  {}\n", number, kind, size, where, rest);
+/// A row of one of the tables.
+struct Row {
+  std::string number, kind, size, where, what, element;
+};
+
+/// Whole, or so that it fits on a line.
+std::string row_text(const Row& row, bool is_whole) {
+  constexpr std::size_t kWhat = 27, kElement = 25;
+  return fmt::format("{:>4}  {:<8}  {:>9}  {:<18}  {:<27}  {}\n", row.number, row.kind, row.size,
+                     row.where, is_whole ? row.what : cut(row.what, kWhat),
+                     is_whole ? row.element : cut(row.element, kElement));
 }
 
 void append_edits(std::string& text, const Repair& repair, const SegmentSet& input,
-                  std::size_t most) {
-  if (repair.edits.empty() || most == 0) return;
-  const std::vector<std::string> rooms = room_texts(repair, kFacesOfRow);
-  const std::size_t shown = std::min(most, repair.edits.size());
-  text += row("edit", "what", "how far", "where", "element: rooms");
+                  std::optional<std::size_t> listed) {
+  const std::size_t shown = std::min(listed.value_or(kShownEdits), repair.edits.size());
+  if (shown == 0) return;
+  const std::vector<std::string> rooms = room_texts(repair, listed ? kFacesOfList : kFacesOfRow);
+  text += row_text({"edit", "what", "how far", "where", "rooms", "element"}, true);
   const std::vector<std::size_t> order = order_of(repair);
   for (std::size_t i = 0; i < shown; ++i) {
     const std::size_t e = order[i];
     const Edit& edit = repair.edits[e];
-    const std::string size = sgn(edit.squared_size) == 0 ? "0" : size_text(edit.squared_size);
-    text += row(std::to_string(e + 1), to_text(edit.kind), size, at(edit.where, edit.squared_size),
-                element_text(input, segments_of(edit)) + (rooms[e].empty() ? "" : ": " + rooms[e]));
+    text += row_text(
+        {std::to_string(e + 1), to_text(edit.kind), size_text(edit.squared_size),
+         at(edit.where, edit.squared_size), rooms[e], element_text(input, segments_of(edit))},
+        listed.has_value());
   }
   if (shown < repair.edits.size()) {
-    text += fmt::format("       ... and {} more (--list N, --log, --findings)\n",
+    text += fmt::format("      ... and {} more (--list N, --log, --findings)\n",
                         repair.edits.size() - shown);
   }
 }
 
+/// Each reason once, above those that it is said of.
 void append_refused(std::string& text, const Repair& repair, const SegmentSet& input,
-                    std::size_t most) {
-  if (repair.refused.empty() || most == 0) return;
-  text += row("", "refused", "how far", "where", "why: element");
-  const std::size_t shown = std::min(most, repair.refused.size());
+                    std::optional<std::size_t> listed) {
+  const std::size_t shown =
+      std::min(std::max(listed.value_or(0), kShownRefused), repair.refused.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const Refusal& refusal = repair.refused[i];
-    text += row("", to_text(refusal.kind), size_text(refusal.squared_size),
-                at(refusal.where, refusal.squared_size),
-                line_text(refusal.reason) + ": " + element_text(input, refusal.segments));
+    if (i == 0 || refusal.reason != repair.refused[i - 1].reason) {
+      text += "refused: " + line_text(refusal.reason) + '\n';
+    }
+    text += row_text(
+        {"", to_text(refusal.kind), size_text(refusal.squared_size),
+         at(refusal.where, refusal.squared_size), "", element_text(input, refusal.segments)},
+        listed.has_value());
   }
   if (shown < repair.refused.size()) {
-    text += fmt::format("       ... and {} more\n", repair.refused.size() - shown);
+    text += fmt::format("      ... and {} more\n", repair.refused.size() - shown);
   }
 }
 
@@ -178,8 +191,8 @@ std::string to_text(const Repair& repair, const SegmentSet& input,
   if (!repair.anchored.empty()) {
     text += counted(repair.anchored.size(), "segment") + " anchored\n";
   }
-  append_edits(text, repair, input, listed.value_or(kShownEdits));
-  append_refused(text, repair, input, std::max(listed.value_or(0), kShownRefused));
+  append_edits(text, repair, input, listed);
+  append_refused(text, repair, input, listed);
   return text;
 }
 

@@ -17,14 +17,6 @@ namespace {
 
 constexpr std::size_t kShown = 25;
 
-/// The first so many bytes, of whole characters, or all of it.
-std::string cut(const std::string& text, std::size_t most) {
-  if (text.size() <= most) return text;
-  std::size_t end = most - 3;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
-  return text.substr(0, end) + "...";
-}
-
 std::string neighbours_text(const Room& room) {
   std::string text;
   for (const RoomNeighbour& next : room.neighbours) {

@@ -11,6 +11,9 @@ namespace plumbline {
 /// "1 edit", "2 edits".
 std::string counted(std::size_t count, std::string_view thing);
 
+/// The first so many bytes, of whole characters, or all of it.
+std::string cut(const std::string& text, std::size_t most);
+
 /// Six digits: a terminal is for people, JSON has all of them.
 std::string short_number(double value);
 
