@@ -135,8 +135,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   }
   if (pages.completion->parsed()) return Notice{completion(app, pages.shell), false};
   if (pages.manual->parsed()) return Notice{manual(app, pages.command), false};
-  return called(arrange_command, check_command, info_command, rooms_command,
-                repair_command, lar_command, eval_command, random_command);
+  return called(arrange_command, check_command, info_command, rooms_command, repair_command,
+                lar_command, eval_command, random_command);
 }
 
 }  // namespace plumbline::cli
