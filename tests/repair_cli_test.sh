@@ -39,6 +39,8 @@ printf '0,0,3,0.0001\n1,1,2,-0.99\n0,5,2,5\n2,1/3,2,5.001\n' >thirds.lines
 "$plumbline" repair thirds.lines --tolerance 0.01 -q -o thirds-fixed.lines --log thirds.json
 "$plumbline" repair thirds-fixed.lines --undo thirds.json -q -o thirds-undone.lines
 expect "fractions come back, too" 0 '' same thirds.lines thirds-undone.lines
+printf '0,0,3,1\n1,1,1,0.34\n' >slanted.lines
+expect "what is rounded is said" 0 '^.*1 line with ends at fractions' "$plumbline" repair slanted.lines --grow 0.01 -o slanted.svg
 for format in geojson topojson csv wkt wkb dxf svg; do
   expect "lines are written as .$format" 0 "wrote fixed.$format" "$plumbline" repair corner.lines --tolerance 0.05 -o fixed.$format
 done
@@ -49,7 +51,7 @@ expect "edits as points" 0 '"kind":"trim"' "$plumbline" repair corner.lines --to
 
 # ---- Files that are kept
 svg '<rect width="9" height="9"/><path id="wall" stroke="red" d="M3 0V8.98"><title>Hall</title></path><circle cx="6" cy="5" r="1"/>' >plan.svg
-expect "an SVG stays as it is" 0 'all but 1 elements stay.*now lines: 1 path' "$plumbline" repair plan.svg --grow 0.05 -o kept.svg --log kept.json
+expect "an SVG stays as it is" 0 'all but 1 element stay.*now lines: 1 path' "$plumbline" repair plan.svg --grow 0.05 -o kept.svg --log kept.json
 expect "but for what is edited" 0 'circle cx="6".*<path id="wall" stroke="red" d="M3 0L3 9"><title>Hall' cat kept.svg
 expect "which undoing finds" 0 'wrote back.svg' "$plumbline" repair kept.svg --undo kept.json -o back.svg
 expect "exactly, where numbers are decimals" 0 '' same plan.svg back.svg

@@ -55,7 +55,8 @@ void write_drawing(const RepairArguments& arguments, const Output& file, const S
     if (patched.why_not.empty()) {
       const std::string lines = arguments.undo ? "" : became_lines(patched.replaced);
       report.set("replaced_elements", patched.replaced.size());
-      report.print("all but {} elements stay as they are in the file{}\n", patched.replaced.size(),
+      report.print("all but {} element{} stay as they are in the file{}\n", patched.replaced.size(),
+                   patched.replaced.size() == 1 ? "" : "s",
                    lines.empty() ? "" : "; now lines: " + lines);
       text = std::move(patched.text);
     } else {
@@ -64,6 +65,18 @@ void write_drawing(const RepairArguments& arguments, const Output& file, const S
   }
   write_file(*file.file, text.empty() ? content(format, output) : text);
   report.say_written(*file.file);
+}
+
+/// How many of the lines that a repair made have ends that are no decimals.
+std::size_t count_rounded(const SegmentSet& input, const Repair& repair) {
+  std::size_t count = 0;
+  for (const NetChange& change : net_changes(input, repair)) {
+    count +=
+        static_cast<std::size_t>(std::ranges::count_if(change.after, [](const Segment& segment) {
+          return to_text(segment).find('/') != std::string::npos;
+        }));
+  }
+  return count;
 }
 
 /// How many edits of each kind, how many faces of each fate.
@@ -142,6 +155,12 @@ ExitCode run(const RepairArguments& arguments, Report& report) {
                  arguments.output ? "" : " (-o FILE)");
   } else {
     write_drawing(arguments, output, input, repaired.output, report);
+    const std::size_t rounded = format_of(output) == "lines" ? 0 : count_rounded(input, repaired);
+    report.set("rounded_lines", rounded);
+    if (rounded > 0) {
+      report.print("{} line{} with ends at fractions, rounded to doubles; a .lines file is exact\n",
+                   rounded, rounded == 1 ? "" : "s");
+    }
   }
   return repaired.refused.empty() ? kAgree : kDisagree;
 }
