@@ -187,6 +187,19 @@ TEST_CASE("SVG: paths at the end, in the root's coordinates, with id, class and 
   CHECK(again.segments[again.segments.size() - 1] == Segment{{0, 0}, {9, 0}});
 }
 
+TEST_CASE("SVG: what was filled is not filled as lines, in front of everything") {
+  const std::string text =
+      R"(<svg xmlns="http://www.w3.org/2000/svg"><rect width="4" height="3" fill="red" )"
+      R"(style='stroke:"a";fill:red'/><rect y="5" width="4" height="3" class="b"/></svg>)";
+  const SegmentSet input = svg(text);
+  const auto first = patched_svg(text, input, with(input, 0, {{0, 0}, {5, 0}}));
+  REQUIRE(first);
+  CHECK(holds(first->text, R"(<path style='stroke:"a";fill:red;fill:none' d=)"));
+  const auto second = patched_svg(text, input, with(input, 4, {{0, 5}, {5, 5}}));
+  REQUIRE(second);
+  CHECK(holds(second->text, R"(<path class="b" style="fill:none" d=)"));
+}
+
 TEST_CASE("SVG: layers stay, virtual lines get one; prefixes of names are kept") {
   const std::string text =
       R"(<s:svg xmlns:s="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">)"

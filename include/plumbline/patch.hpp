@@ -26,8 +26,8 @@ std::optional<Patch> patched_dxf(std::string_view text, const SegmentSet& input,
                                  const SegmentSet& output, const std::vector<bool>& also = {});
 
 /// The same for SVG: lines are paths in a group at the end of the root, in its coordinates, those
-/// of layers in groups that Inkscape takes as such. A path keeps id, class and strokes of its
-/// element, and what stood within that.
+/// of layers in groups that Inkscape takes as such. A path keeps id, class, style and strokes of
+/// its element, and what stood within that; it is not filled.
 std::optional<Patch> patched_svg(std::string_view text, const SegmentSet& input,
                                  const SegmentSet& output, const std::vector<bool>& also = {});
 

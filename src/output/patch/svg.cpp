@@ -31,6 +31,24 @@ std::string attribute_text(std::string_view text) {
   return result + '"';
 }
 
+/// What a path takes over from its element. It is not filled: its lines are in no order that would
+/// have an inside, and stand in front of everything else.
+std::string attributes_of(const XmlElement& element, bool with_id) {
+  constexpr std::string_view kUnfilled = "fill:none";
+  std::string text, style;
+  bool has_style = false;
+  for (const auto& [name, value] : element.attributes) {
+    if (name == "style" || name == "class") has_style = true;
+    if (name == "style") style = std::string(value.substr(1, value.size() - 2)) + ';';
+    if (name == "class" || name.starts_with("stroke") || (name == "id" && with_id)) {
+      ((text += ' ') += name) += '=' + std::string(value);
+    }
+  }
+  if (!has_style) return text;
+  const char quote = style.find('"') == std::string::npos ? '"' : '\'';
+  return ((text += " style=") += quote) + style + std::string(kUnfilled) + quote;
+}
+
 class SvgPatch {
  public:
   SvgPatch(std::string_view text, const SegmentSet& output)
@@ -90,12 +108,7 @@ class SvgPatch {
     const auto found = element_at(text_, lines_[line - 1] + column - 1);
     if (!found || found->name != element.source.element) return false;
     replacements_.push_back({found->begin, found->end, ""});
-    std::string attributes;
-    for (const auto& [name, value] : found->attributes) {
-      const bool is_kept = name == "class" || name == "style" || name.starts_with("stroke") ||
-                           (name == "id" && element.drawn == 1);
-      if (is_kept) ((attributes += ' ') += name) += '=' + std::string(value);
-    }
+    const std::string attributes = attributes_of(*found, element.drawn == 1);
     std::map<std::string, std::vector<SegmentId>> by_layer;
     for (const SegmentId s : element.lines) by_layer[layer_of(s)].push_back(s);
     for (const auto& [layer, lines] : by_layer) {
