@@ -100,13 +100,14 @@ class Welding {
   }
 
   /// Whether d may go onto c: as it is and as it was authored it lies within the distance, beside
-  /// what c covers for more than the distance, and it is no detail as small as that.
+  /// what c covers for more than the distance, and it is no detail as small as that, nor a chord.
   bool fits(const Carrier& c, const Carrier& d, const Interval& covered) {
     if (d.is_anchored || d.squared_length <= 4 * squared_distance_) return false;
     const Interval own = interval(c, d);
     const Rational both = std::min(own.high, covered.high) - std::max(own.low, covered.low);
     if (sgn(both) <= 0 || both * both * c.squared_length <= squared_distance_) return false;
     if (!is_near(c, d.a) || !is_near(c, d.b) || stays(d)) return false;
+    if (is_curve(c) || is_curve(d)) return false;
     for (const LineId id : d.lines) {
       for (const SegmentId s : work_.line(id).segments) {
         const Segment authored = work_.input().segments[s];
@@ -119,6 +120,9 @@ class Welding {
       }
     }
     return true;
+  }
+  bool is_curve(const Carrier& c) const {
+    return std::ranges::any_of(c.lines, [&](LineId id) { return work_.is_chord(id); });
   }
   bool stays(const Carrier& c) const {
     return std::ranges::any_of(c.lines, [&](LineId id) {
