@@ -170,11 +170,25 @@ void bridge(Work& work, const Growth& growth) {
   work.apply(EditKind::Bridge, growth.tip.point, growth.squared_length, {p, q}, std::move(after));
 }
 
+/// To where ends have run.
+std::set<Point> grown_ends(const std::vector<Edit>& edits) {
+  std::set<Point> result;
+  for (const Edit& edit : edits) {
+    if (edit.kind != EditKind::Grow) continue;
+    const Line &before = edit.before.front(), &after = edit.after.front();
+    result.insert(before.a == after.a ? after.b : after.a);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Growth> growths(const Work& work, const Arranged& arranged, const Rational& reach) {
   std::vector<Growth> result;
-  const std::vector<Tip> tips = growing_tips(work, arranged);
+  std::vector<Tip> tips = growing_tips(work, arranged);
+  // What an end has run to may have gone since; it does not run on.
+  const std::set<Point> grown = grown_ends(work.edits());
+  std::erase_if(tips, [&](const Tip& tip) { return grown.contains(tip.point); });
   if (tips.empty()) return result;
   std::vector<std::optional<Race::End>> ends = Race(work, arranged, tips, reach).run();
   for (const auto& [t, u] : facing_pairs(tips)) {
@@ -193,19 +207,7 @@ std::vector<Growth> growths(const Work& work, const Arranged& arranged, const Ra
 }
 
 void grow(Work& work, const Arranged& arranged, const Rational& reach) {
-  std::set<Point> grown;  // to where ends have run before
-  for (const Edit& edit : work.edits()) {
-    if (edit.kind != EditKind::Grow) continue;
-    const Line &before = edit.before.front(), &after = edit.after.front();
-    grown.insert(before.a == after.a ? after.b : after.a);
-  }
   for (const Growth& growth : growths(work, arranged, reach)) {
-    if (grown.contains(growth.tip.point) || (growth.other && grown.contains(growth.other->point))) {
-      work.refuse(EditKind::Grow, growth.tip.point, growth.squared_length,
-                  "an end that has grown would have to grow on, since what it met has gone",
-                  {growth.tip.line});
-      continue;
-    }
     if (growth.other) {
       bridge(work, growth);
       continue;
