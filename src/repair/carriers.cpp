@@ -161,15 +161,24 @@ const Carrier& Carriers::operator[](std::size_t carrier) {
   return c;
 }
 
+std::vector<char> Carriers::are_new(LineId first_new) {
+  std::vector<char> has_new(arranged_.line_of.size()), result;
+  for (std::size_t i = 0; i < has_new.size(); ++i) {
+    if (arranged_.line_of[i] >= first_new) has_new[of_line(i)] = 1;
+  }
+  for (std::size_t i = 0; i < has_new.size(); ++i) result.push_back(has_new[of_line(i)]);
+  return result;
+}
+
 std::vector<std::pair<std::size_t, std::size_t>> side_by_side(const Work& work,
                                                               const Arranged& arranged,
                                                               const Rational& distance,
-                                                              LineId first_new) {
+                                                              const std::vector<char>& is_new) {
   // Where two lines lie side by side, an end of one of them is near the other.
   std::vector<Ends> lines;
   double largest = 0;
   for (const LineId id : arranged.line_of) {
-    lines.emplace_back(work.rounded(id), id >= first_new);
+    lines.emplace_back(work.rounded(id), is_new[lines.size()] != 0);
     largest = std::max({largest, std::abs(lines.back().line.a.x), std::abs(lines.back().line.a.y),
                         std::abs(lines.back().line.b.x), std::abs(lines.back().line.b.y)});
   }

@@ -32,6 +32,8 @@ class Carriers {
   /// All lines of an edge lie on one carrier.
   std::size_t of_edge(EdgeId e) { return of_line(arranged_.complex.edge_sources[e].front()); }
   const Carrier& operator[](std::size_t carrier);
+  /// Per position, whether the line is on a carrier with a line from `first_new` on.
+  std::vector<char> are_new(LineId first_new);
 
  private:
   const Work& work_;
@@ -42,12 +44,11 @@ class Carriers {
 };
 
 /// Pairs of lines, as positions in `line_of`, of which one may lie beside the other within the
-/// distance: all that do, and some that do not; one of each is new: made by an edit from
-/// `first_new` on. Ascending.
+/// distance: all that do, and some that do not; one of each is new. Ascending.
 std::vector<std::pair<std::size_t, std::size_t>> side_by_side(const Work& work,
                                                               const Arranged& arranged,
                                                               const Rational& distance,
-                                                              LineId first_new);
+                                                              const std::vector<char>& is_new);
 
 /// The foot of the perpendicular from p.
 Point foot(const Carrier& c, const Point& p);

@@ -41,12 +41,8 @@ class Repairing {
   bool settle() {
     for (std::size_t round = 0; round < kMostRounds; ++round) {
       const std::size_t edits = work_.edits().size();
-      const LineId first_looked_at = first_not_welded_;
       run_once(round == 0);
       if (work_.edits().size() > edits) continue;
-      // Carriers grow with what is welded to them: in the end all of them are looked at once more.
-      first_not_welded_ = kFirst;
-      if (first_looked_at != kFirst && sgn(result_.tolerances.weld) > 0) continue;
       // Doors come when walls are where they stay.
       if (result_.tolerances.doors) close_doors(work_, *result_.tolerances.doors, options_.walls);
       if (work_.edits().size() == edits) return true;
@@ -126,16 +122,14 @@ class Repairing {
     if (looked_at_ == 0) before_ = now_.complex;
   }
 
-  static constexpr LineId kFirst{std::size_t{0}};
-
   const RepairOptions& options_;
   Repair& result_;
   Work work_;
   Choice choice_;
   const std::set<SegmentId>& stays_;
   Arranged now_;
-  LineId first_not_welded_ = kFirst;  ///< lines before are known to go nowhere
-  bool is_as_arranged_ = false;       ///< else it may have vertices where merged lines ended
+  LineId first_not_welded_ = kFirstLine;  ///< lines before are known to go nowhere
+  bool is_as_arranged_ = false;           ///< else it may have vertices where merged lines ended
   ExactComplex before_;
   std::size_t looked_at_ = static_cast<std::size_t>(-1);  ///< edits of which `now_` knows
 };

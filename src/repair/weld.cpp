@@ -26,9 +26,8 @@ Interval interval(const Carrier& c, const Carrier& of) {
 
 class Welding {
  public:
-  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
-
-  Welding(Work& work, const Arranged& arranged, const Rational& distance, const Pairs& pairs,
+  /// Looks at lines from `first_new` on, and what is on carriers with them.
+  Welding(Work& work, const Arranged& arranged, const Rational& distance, LineId first_new,
           const std::set<SegmentId>& stays)
       : work_(work),
         stays_(stays),
@@ -36,7 +35,7 @@ class Welding {
         complex_(arranged.complex),
         squared_distance_(distance * distance),
         all_(work, arranged) {
-    for (const auto& [i, j] : pairs) {
+    for (const auto& [i, j] : side_by_side(work, arranged, distance, all_.are_new(first_new))) {
       const std::size_t c = all_.of_line(i), d = all_.of_line(j);
       if (c == d) continue;
       beside_[c].push_back(d);
@@ -210,7 +209,7 @@ class Welding {
   }
 
   Work& work_;
-  const std::set<SegmentId>& stays_;
+  std::set<SegmentId> stays_;
   const Arranged& arranged_;
   const ExactComplex& complex_;
   Rational squared_distance_;
@@ -223,15 +222,13 @@ class Welding {
 }  // namespace
 
 std::vector<Rational> weld_offsets(Work& work, const Arranged& arranged, const Rational& distance) {
-  const auto pairs = side_by_side(work, arranged, distance, LineId(std::size_t{0}));
-  const std::set<SegmentId> stays;
-  return Welding(work, arranged, distance, pairs, stays).squared_offsets();
+  return Welding(work, arranged, distance, kFirstLine, {}).squared_offsets();
 }
 
 void weld(Work& work, const Arranged& arranged, const Rational& distance, LineId first_new,
           const std::set<SegmentId>& stays) {
-  const auto pairs = side_by_side(work, arranged, distance, first_new);
-  if (!pairs.empty()) Welding(work, arranged, distance, pairs, stays).run();
+  if (first_new != kFirstLine && first_new >= work.count()) return;
+  Welding(work, arranged, distance, first_new, stays).run();
 }
 
 }  // namespace plumbline::repair_steps

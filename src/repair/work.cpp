@@ -187,6 +187,8 @@ void Work::write(Repair& result) const {
   std::ranges::stable_sort(result.refused, [](const Refusal& p, const Refusal& q) {
     return p.kind != q.kind ? p.kind < q.kind : p.where < q.where;
   });
+  const auto repeated = std::ranges::unique(result.refused);
+  result.refused.erase(repeated.begin(), repeated.end());
   const std::vector<LineId> order = lines();
   SegmentSet drawing = this->drawing(order);
   SegmentSet& output = result.output = input_;

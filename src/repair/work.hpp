@@ -9,6 +9,7 @@ namespace plumbline::repair_steps {
 
 /// A line that is, or was, part of the drawing under repair; those of the input come first.
 using LineId = Index<struct LineTag>;
+inline constexpr LineId kFirstLine{std::size_t{0}};
 
 /// The drawing under repair, with the edits so far.
 class Work {
@@ -52,7 +53,10 @@ class Work {
   /// Notes what is not done.
   void refuse(EditKind kind, Point where, Rational squared_size, std::string reason,
               const std::vector<LineId>& lines);
-  void forget_refusals() { refused_.clear(); }
+  /// But for what is not welded, which is not looked at again.
+  void forget_refusals() {
+    std::erase_if(refused_, [](const Refusal& r) { return r.kind != EditKind::Weld; });
+  }
 
   /// The lines as a drawing of segments, in the order of `lines`, with the rings that are still
   /// closed lines of a segment for each one that they had.
