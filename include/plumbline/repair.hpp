@@ -8,19 +8,28 @@
 
 namespace plumbline {
 
-/// How to repair. A tolerance that is not given is chosen from the drawing; 0 turns the operation
-/// off.
+/// How to repair. Sizes are in drawing units. One that is not given is chosen from the drawing; 0
+/// turns the operation off.
 struct RepairOptions {
   std::optional<Rational> weld, grow, trim, sliver;
   Rational snap = 0, simplify = 0;            ///< off unless given
-  std::optional<Range> doors = std::nullopt;  ///< off unless given
+  std::optional<Range> doors = std::nullopt;  ///< widths of openings to close; off unless given
   std::vector<std::string> walls;    ///< layers whose lines have doors and block them; none: all
   std::vector<std::string> anchors;  ///< layers that no edit touches and to which others go
   std::vector<std::string> except;   ///< ids of elements that no edit touches
 };
 
-/// Repairs line work, by the least edits that do it: what moves nothing first, then additions,
-/// removals, movements. See docs/repair.md for each operation and what is promised.
+/// Repairs line work: lines that overlap become one, doubled ones are welded, loose ends run on to
+/// what they meet, dangles are trimmed, slivers given to a neighbour, doors closed by virtual
+/// lines; the least that does it, and nothing that is not listed. docs/repair.md says what each
+/// operation does, what is promised and how tolerances are chosen. **Exact**; `verify` has found
+/// the result to keep its promises. Order: edits in the order in which they were made; they depend
+/// on the geometry alone, not on order, direction or repetition of the segments. Degenerate: no
+/// segments give no edits; isolated points are left as they are. What cannot be done without
+/// breaking a promise is in `refused`. Cost: some times that of `arrange`, O(n log n), where
+/// tolerances are no larger than the details; for k loose ends within reach of each other up to
+/// O(k^2). Throws: Error BadInput for a negative size, an empty range of doors, a layer or an id
+/// that the drawing does not have; as `arrange`.
 Repair repair(const SegmentSet& input, const RepairOptions& options = {});
 
 }  // namespace plumbline

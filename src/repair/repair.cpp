@@ -134,6 +134,21 @@ class Repairing {
   std::size_t looked_at_ = static_cast<std::size_t>(-1);  ///< edits of which `now_` knows
 };
 
+void ensure_sizes(const RepairOptions& options) {
+  const Range doors = options.doors.value_or(Range{0, 0});
+  for (const Rational& size :
+       {options.weld.value_or(0), options.grow.value_or(0), options.trim.value_or(0),
+        options.sliver.value_or(0), options.snap, options.simplify, doors.least}) {
+    if (sgn(size) < 0) {
+      throw Error(ErrorCode::BadInput, "a tolerance is negative", {}, exact_text(size));
+    }
+  }
+  if (doors.most < doors.least) {
+    throw Error(ErrorCode::BadInput, "doors are at least as wide as at most", {},
+                exact_text(doors.least) + ".." + exact_text(doors.most));
+  }
+}
+
 /// Lets what was welded where promises are broken stay. What is there now, and why.
 std::vector<Refusal> give_up_welds(const Repair& repair, const std::vector<Breach>& breaches,
                                    std::set<SegmentId>& stays) {
@@ -196,6 +211,7 @@ Refusal give_up_one(RepairOptions& options, const Tolerances& used, const Breach
 }  // namespace
 
 Repair repair(const SegmentSet& input, const RepairOptions& options) {
+  ensure_sizes(options);
   RepairOptions now = options;
   std::set<SegmentId> stays;
   std::vector<Refusal> given_up;
