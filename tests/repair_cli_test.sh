@@ -25,6 +25,8 @@ expect "with place and element" 0 'grow +0.02 +\(10, 0.02\) +closed 80 +corner.l
 expect "one number is for all" 0 'weld 0.05, grow 0.05, trim 0.05, sliver 0.05' "$plumbline" repair corner.lines --tolerance 0.05
 expect "what is said of one wins, before it, too" 0 'weld off, grow 1/30, trim 0.05' "$plumbline" repair corner.lines --grow 1/30 --weld 0 --tolerance 0.05
 expect "off is off" 0 'grow off, trim off.*snap off' "$plumbline" repair corner.lines --tolerance off
+expect "--compare tells what LAR's pruning makes of it" 0 'LAR pruning +[0-9]+ +[0-9]+ +1 ' "$plumbline" repair corner.lines --tolerance 0.05 --compare
+expect "and nothing at 0" 0 'no rule to compare' "$plumbline" repair corner.lines --tolerance 0 --compare
 expect "--quiet says nothing" 0 '^$' "$plumbline" repair corner.lines --tolerance 0.05 -q
 
 # ---- Files

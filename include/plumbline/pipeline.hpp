@@ -74,6 +74,21 @@ PatchedFile patched_file(const std::filesystem::path& file, std::string_view for
 /// BadFile; BadInput, with its place, for what is no such log.
 std::vector<NetChange> read_repair_log(const std::filesystem::path& file);
 
+/// What a rule makes of a drawing.
+struct RuleOutcome {
+  std::string rule;
+  std::size_t vertices = 0, edges = 0, faces = 0;  ///< faces without the unbounded one
+  double area = 0;                                 ///< of the faces, **rounded**
+  std::size_t skewed = 0;  ///< edges that are nearly, but not, parallel to an axis
+  std::size_t moved = 0;   ///< vertices where the drawing as it was has none
+  double furthest = 0;     ///< of those from the nearest vertex that was there, **rounded**
+};
+/// The drawing as it is, its repair, and what rules in use make of it at one tolerance: LAR's
+/// pruning, gaps closed at the mean of their ends, every segment extended at both ends (each in
+/// doubles, short versions but for LAR's). Throws: as `lar::arrange`.
+std::vector<RuleOutcome> compare_rules(const SegmentSet& input, const Repair& repair,
+                                       double tolerance);
+
 /// All engines that there are, by name: lar, inters, files.
 std::vector<Engine> engines();
 /// The one of that name. Throws: Error BadInput, with the names that there are, for another.

@@ -118,6 +118,7 @@ struct RoomsArguments : DrawingArguments {
 struct RepairArguments : InputArguments {
   RepairOptions repair;
   bool dry_run = false;
+  bool compare = false;               ///< with rules in use
   std::optional<std::size_t> listed;  ///< edits printed
   std::optional<std::string> output;  ///< none: a dry run
   std::optional<std::string> format;  ///< of the output

@@ -13,6 +13,7 @@
 #include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
+#include "cli/repair_rules.hpp"
 #include "cli/report.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
@@ -144,6 +145,7 @@ ExitCode run(const RepairArguments& arguments, Report& report) {
     write_file(file, text);
     report.say_written(file);
   };
+  if (arguments.compare) tell_rules(input, repaired, report);
   if (arguments.log) write(*arguments.log, to_json(repaired, input));
   if (arguments.findings) {
     write(*arguments.findings,

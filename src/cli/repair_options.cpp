@@ -119,6 +119,12 @@ void add_outputs(CLI::App& command, RepairArguments& arguments) {
       ->excludes("--dry-run", "--log", "--findings")
       ->type_name("LOG");
   command
+      .add_flag(
+          "--compare", arguments.compare,
+          "Also tell what other rules make of the drawing at the same tolerance: LAR's pruning, "
+          "gaps closed at a mean, all ends extended")
+      ->excludes("--undo");
+  command
       .add_option("--list", arguments.listed,
                   "Print the N edits that do most [default: as many as fit on a screen]")
       ->check(integer(0))
