@@ -89,6 +89,9 @@ void set_counts(Report& report, const Repair& repair) {
     report.set(to_text(static_cast<EditKind>(kind)), kinds[kind]);
   }
   report.set("refused", repair.refused.size());
+  report.set("given_up", std::ranges::count_if(repair.refused, [](const Refusal& refusal) {
+               return refusal.reason.starts_with("given up as a whole");
+             }));
   for (const FaceFate fate :
        {FaceFate::Closed, FaceFate::Split, FaceFate::Joined, FaceFate::Opened, FaceFate::Changed}) {
     report.set("faces_" + to_text(fate),
