@@ -1,7 +1,9 @@
 #include "edits/replay.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -130,29 +132,53 @@ Replay replay(const SegmentSet& input, const Repair& repair) {
 }
 
 struct Drawing::Tree {
-  Tree(const SegmentSet& set, const Replay& all) : input(set), replay(all), boxes(all_boxes()) {}
+  Tree(const SegmentSet& set, const Replay& all) : input(set), replay(all), boxes(all_boxes()) {
+    std::vector<PointD> ends;
+    for (const SegmentD& line : rounded) ends.insert(ends.end(), {line.a, line.b});
+    slack = largest_coordinate(ends) * 0x1p-45;
+  }
 
   std::vector<BoxD> all_boxes() {
     std::vector<BoxD> result;
+    const auto add = [&](const PointD& a, const PointD& b) {
+      const PointD ends[] = {a, b};
+      result.push_back(box_of(ends));
+      rounded.push_back({a, b});
+    };
     for (std::size_t s = 0; s < input.segments.size(); ++s) {
       if (replay.is_touched[s]) continue;
       const auto n = input.segments.numbers(s);
-      const PointD ends[] = {nearest(NumberPoint{n[0], n[1]}), nearest(NumberPoint{n[2], n[3]})};
-      result.push_back(box_of(ends));
+      add(nearest(NumberPoint{n[0], n[1]}), nearest(NumberPoint{n[2], n[3]}));
       untouched.push_back(SegmentId(s));
     }
     for (const Life& life : replay.lives) {
-      const PointD ends[] = {nearest(life.line.a), nearest(life.line.b)};
-      result.push_back(box_of(ends));
+      add(nearest(life.line.a), nearest(life.line.b));
     }
     return result;
+  }
+
+  /// Whether corners of the box lie on both sides of a line, or as near as rounding leaves open.
+  bool is_crossed(const BoxD& box, const SegmentD& line) const {
+    const double x = line.b.x - line.a.x, y = line.b.y - line.a.y;
+    const double bound = slack * (std::abs(x) + std::abs(y));
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const double px : {box.low.x, box.high.x}) {
+      for (const double py : {box.low.y, box.high.y}) {
+        const double side = x * (py - line.a.y) - y * (px - line.a.x);
+        least = std::min(least, side);
+        most = std::max(most, side);
+      }
+    }
+    return least <= bound && -bound <= most;
   }
 
   /// Rounding is monotone: what meets exactly, meets rounded.
   std::vector<Line> meeting(const Point& low, const Point& high, std::size_t first,
                             std::size_t last) const {
     std::vector<Line> result;
-    for (const std::size_t i : boxes.meeting(BoxD{nearest(low), nearest(high)})) {
+    const BoxD box{nearest(low), nearest(high)};
+    for (const std::size_t i : boxes.meeting(box)) {
+      if (!is_crossed(box, rounded[i])) continue;
       if (i < untouched.size()) {
         result.push_back(line_of(input.segments[untouched[i]], {untouched[i]}));
         continue;
@@ -166,6 +192,8 @@ struct Drawing::Tree {
   const SegmentSet& input;
   const Replay& replay;
   std::vector<SegmentId> untouched;
+  std::vector<SegmentD> rounded;  ///< per box its line
+  double slack = 0;               ///< of coordinates, and of computing with them
   BoxTree boxes;
 };
 
