@@ -1,14 +1,12 @@
 #include "edits/replay.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include "geometry/box_tree.hpp"
+#include "diagnose/edge_tree.hpp"
 
 namespace plumbline::edits {
 namespace {
@@ -132,18 +130,18 @@ Replay replay(const SegmentSet& input, const Repair& repair) {
 }
 
 struct Drawing::Tree {
-  Tree(const SegmentSet& set, const Replay& all) : input(set), replay(all), boxes(all_boxes()) {
-    std::vector<PointD> ends;
-    for (const SegmentD& line : rounded) ends.insert(ends.end(), {line.a, line.b});
-    slack = largest_coordinate(ends) * 0x1p-45;
-  }
+  Tree(const SegmentSet& set, const Replay& all)
+      : input(set),
+        replay(all),
+        edges(all_edges()),
+        slack(largest_coordinate(ends) * 0x1p-45),
+        tree(edges, ends) {}
 
-  std::vector<BoxD> all_boxes() {
-    std::vector<BoxD> result;
+  std::vector<Edge> all_edges() {
+    std::vector<Edge> result;
     const auto add = [&](const PointD& a, const PointD& b) {
-      const PointD ends[] = {a, b};
-      result.push_back(box_of(ends));
-      rounded.push_back({a, b});
+      result.push_back({VertexId(ends.size()), VertexId(ends.size() + 1)});
+      ends.insert(ends.end(), {a, b});
     };
     for (std::size_t s = 0; s < input.segments.size(); ++s) {
       if (replay.is_touched[s]) continue;
@@ -151,34 +149,19 @@ struct Drawing::Tree {
       add(nearest(NumberPoint{n[0], n[1]}), nearest(NumberPoint{n[2], n[3]}));
       untouched.push_back(SegmentId(s));
     }
-    for (const Life& life : replay.lives) {
-      add(nearest(life.line.a), nearest(life.line.b));
-    }
+    for (const Life& life : replay.lives) add(nearest(life.line.a), nearest(life.line.b));
     return result;
   }
 
-  /// Whether corners of the box lie on both sides of a line, or as near as rounding leaves open.
-  bool is_crossed(const BoxD& box, const SegmentD& line) const {
-    const double x = line.b.x - line.a.x, y = line.b.y - line.a.y;
-    const double bound = slack * (std::abs(x) + std::abs(y));
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const double px : {box.low.x, box.high.x}) {
-      for (const double py : {box.low.y, box.high.y}) {
-        const double side = x * (py - line.a.y) - y * (px - line.a.x);
-        least = std::min(least, side);
-        most = std::max(most, side);
-      }
-    }
-    return least <= bound && -bound <= most;
-  }
-
-  /// Rounding is monotone: what meets exactly, meets rounded.
-  std::vector<Line> meeting(const Point& low, const Point& high, std::size_t first,
-                            std::size_t last) const {
+  /// Lines no further from p, and some that are.
+  std::vector<Line> near(const PointD& p, double distance, std::size_t first,
+                         std::size_t last) const {
+    std::vector<std::size_t> found;
+    tree.visit(p, distance + 4 * slack,
+               [&](EdgeId e, const auto& /*foot*/) { found.push_back(e); });
+    std::ranges::sort(found);
     std::vector<Line> result;
-    const BoxD box{nearest(low), nearest(high)};
-    for (const std::size_t i : boxes.meeting(box)) {
-      if (!is_crossed(box, rounded[i])) continue;
+    for (const std::size_t i : found) {
       if (i < untouched.size()) {
         result.push_back(line_of(input.segments[untouched[i]], {untouched[i]}));
         continue;
@@ -192,9 +175,10 @@ struct Drawing::Tree {
   const SegmentSet& input;
   const Replay& replay;
   std::vector<SegmentId> untouched;
-  std::vector<SegmentD> rounded;  ///< per box its line
-  double slack = 0;               ///< of coordinates, and of computing with them
-  BoxTree boxes;
+  std::vector<PointD> ends;
+  std::vector<Edge> edges;
+  double slack = 0;  ///< of coordinates, and of computing with them
+  diagnose_steps::EdgeTree tree;
 };
 
 Drawing::Drawing(const SegmentSet& input, const Replay& replay)
@@ -202,19 +186,18 @@ Drawing::Drawing(const SegmentSet& input, const Replay& replay)
 Drawing::~Drawing() = default;
 
 std::vector<Line> Drawing::at(const Point& p, std::size_t first, std::size_t last) const {
-  std::vector<Line> result = tree_->meeting(p, p, first, last);
+  std::vector<Line> result = tree_->near(nearest(p), 0, first, last);
   std::erase_if(result, [&](const Line& line) { return !on_segment(line.a, line.b, p); });
   return result;
 }
 
 std::vector<Line> Drawing::around(const Segment& s, std::size_t first, std::size_t last) const {
-  return tree_->meeting({s.a.x, std::min(s.a.y, s.b.y)}, {s.b.x, std::max(s.a.y, s.b.y)}, first,
-                        last);
+  const PointD a = nearest(s.a), b = nearest(s.b);
+  return tree_->near(point_at({a, b}, 0.5), distance(a, b) / 2, first, last);
 }
 
 std::vector<Line> Drawing::near(const Point& p, const Rational& distance, std::size_t state) const {
-  return tree_->meeting({p.x - distance, p.y - distance}, {p.x + distance, p.y + distance}, state,
-                        state);
+  return tree_->near(nearest(p), nearest_double(distance), state, state);
 }
 
 }  // namespace plumbline::edits

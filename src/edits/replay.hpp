@@ -33,8 +33,8 @@ class Drawing {
   Drawing& operator=(const Drawing&) = delete;
   ~Drawing();
 
-  /// The lines that are there in any of the states first..last, and that have the point; meet the
-  /// box around the segment; are not farther from the point in x and y.
+  /// The lines that are there in any of the states first..last, and that have the point; all that
+  /// meet the segment, and some near it; all no further from the point, and some that are.
   std::vector<Line> at(const Point& p, std::size_t first, std::size_t last) const;
   std::vector<Line> around(const Segment& s, std::size_t first, std::size_t last) const;
   std::vector<Line> near(const Point& p, const Rational& distance, std::size_t state) const;
