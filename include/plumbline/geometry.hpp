@@ -171,8 +171,6 @@ class SegmentSet {
   /// Per segment how far its points may lie from where they were meant to be, as numbers of twelve
   /// digits and more are what programs print (`evaluate`); empty: nowhere.
   std::vector<double> rounding;
-  /// Per segment whether it is a chord of a curve; empty: none is.
-  std::vector<bool> is_chord;
   /// Of polygons and of closed lines without curves, ascending, as far as readers know them.
   std::vector<Ring> rings;
   std::vector<Point> points;           ///< isolated points, for API users; no reader makes them

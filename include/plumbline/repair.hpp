@@ -14,6 +14,9 @@ struct RepairOptions {
   std::optional<Rational> weld, grow, trim, sliver;
   Rational snap = 0, simplify = 0;            ///< off unless given
   std::optional<Range> doors = std::nullopt;  ///< widths of openings to close; off unless given
+  /// Whether a side that two closed shapes have in common stays drawn by both; else it becomes one
+  /// line, as everything that is drawn twice.
+  bool keeps_common_sides = true;
   std::vector<std::string> walls;    ///< layers whose lines have doors and block them; none: all
   std::vector<std::string> anchors;  ///< layers that no edit touches and to which others go
   std::vector<std::string> except;   ///< ids of elements that no edit touches

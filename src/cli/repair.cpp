@@ -16,6 +16,7 @@
 #include "cli/repair_rules.hpp"
 #include "cli/report.hpp"
 #include "plumbline/error.hpp"
+#include "plumbline/geometry/layers.hpp"
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 
@@ -101,6 +102,14 @@ void set_counts(Report& report, const Repair& repair) {
   report.set("reasons", repair.reasons);
 }
 
+/// Whether elements stay what they are, in the input's own file; else lines alone are written.
+bool keeps_shapes(const RepairArguments& arguments, const Output& output) {
+  if (!output.file) return true;
+  const std::string_view format = format_of(output);
+  const std::string ending = std::filesystem::path(arguments.file).extension().string();
+  return (format == "dxf" || format == "svg") && matches_pattern(ending, "." + std::string(format));
+}
+
 SegmentSet drawing_of(const RepairArguments& arguments) {
   const Progress progress("reading " + arguments.file, arguments);
   return evaluate(read(arguments.file, arguments.reading), limits_of(arguments));
@@ -137,7 +146,9 @@ ExitCode run(const RepairArguments& arguments, Report& report) {
   ensure_all_drawn(arguments, input);
   const Repair repaired = [&] {
     const Progress progress(fmt::format("repairing {} segments", input.segments.size()), arguments);
-    return repair(input, arguments.repair);
+    RepairOptions options = arguments.repair;
+    options.keeps_common_sides = keeps_shapes(arguments, output);
+    return repair(input, options);
   }();
   set_input(report, input);
   set_counts(report, repaired);

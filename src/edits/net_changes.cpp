@@ -107,7 +107,6 @@ SegmentSet without_segments(const SegmentSet& drawing) {
   result.segments = {};
   result.segment_source.clear();
   result.rounding.clear();
-  result.is_chord.clear();
   result.rings.clear();
   return result;
 }

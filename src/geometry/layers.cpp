@@ -93,7 +93,6 @@ SegmentSet on_layers(SegmentSet set, const std::vector<std::string>& patterns) {
   SegmentList segments;
   std::vector<SourceId> sources;
   std::vector<double> rounding;
-  std::vector<bool> is_chord;
   std::vector<std::uint32_t> place;  // per segment, in the result
   for (std::size_t i = 0; i < set.segments.size(); ++i) {
     place.push_back(static_cast<std::uint32_t>(segments.size()));
@@ -102,7 +101,6 @@ SegmentSet on_layers(SegmentSet set, const std::vector<std::string>& patterns) {
     segments.push_back({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
     sources.push_back(set.segment_source[i]);
     if (i < set.rounding.size()) rounding.push_back(set.rounding[i]);
-    if (i < set.is_chord.size()) is_chord.push_back(set.is_chord[i]);
   }
   std::erase_if(set.rings, [&](Ring& ring) {
     if (ring.count == 0 || !chosen[set.segment_source[ring.first]]) return true;
@@ -112,7 +110,6 @@ SegmentSet on_layers(SegmentSet set, const std::vector<std::string>& patterns) {
   set.segments = std::move(segments);
   set.segment_source = std::move(sources);
   set.rounding = std::move(rounding);
-  set.is_chord = std::move(is_chord);
   return set;
 }
 

@@ -142,6 +142,11 @@ Carriers::Carriers(const Work& work, const Arranged& arranged)
   for (std::size_t i = 0; i < members_.size(); ++i) {
     members_[sets_.find(i)].push_back(static_cast<std::uint32_t>(i));
   }
+  edges_at_.resize(arranged.complex.vertices.size());
+  for (std::size_t e = 0; e < arranged.complex.edge_count(); ++e) {
+    edges_at_[arranged.complex.edges[e].tail].emplace_back(e);
+    edges_at_[arranged.complex.edges[e].head].emplace_back(e);
+  }
 }
 
 const Carrier& Carriers::operator[](std::size_t carrier) {
@@ -158,7 +163,26 @@ const Carrier& Carriers::operator[](std::size_t carrier) {
     c.is_anchored = c.is_anchored || work_.is_anchored(id);
   }
   c.squared_length = squared_distance(c.a, c.b);
+  c.is_curved = turns_slightly(c.a, c.b) || turns_slightly(c.b, c.a);
   return c;
+}
+
+bool Carriers::turns_slightly(const Point& end, const Point& from) const {
+  // Squared tangents of one degree and of thirty.
+  const Rational least(1, 3282), most(1, 3);
+  const PointList& vertices = arranged_.complex.vertices;
+  const std::size_t v = vertices.count_before(end);
+  const Point d{end.x - from.x, end.y - from.y};
+  return std::ranges::any_of(edges_at_[v], [&](EdgeId e) {
+    const Edge& edge = arranged_.complex.edges[e];
+    const Point other = vertices[edge.tail == VertexId(v) ? edge.head : edge.tail];
+    const Point u{other.x - end.x, other.y - end.y};
+    const Rational along = d.x * u.x + d.y * u.y;
+    if (sgn(along) <= 0) return false;
+    const Rational turn = d.x * u.y - d.y * u.x;
+    const Rational squared = turn * turn / (along * along);
+    return squared >= least && squared <= most;
+  });
 }
 
 std::vector<char> Carriers::are_new(LineId first_new) {

@@ -16,6 +16,7 @@ struct Carrier {
   Point a, b;                 ///< the first and the last end of its lines
   std::vector<LineId> lines;  ///< ascending
   bool is_anchored = false;   ///< one of them is
+  bool is_curved = false;     ///< at an end a line goes on that turns off by 1 to 30 degrees
   Rational squared_length;    ///< from a to b
 };
 
@@ -40,6 +41,8 @@ class Carriers {
   const Arranged& arranged_;
   UnionFind sets_;
   std::vector<std::vector<std::uint32_t>> members_;
+  std::vector<std::vector<EdgeId>> edges_at_;  ///< per vertex
+  bool turns_slightly(const Point& end, const Point& from) const;
   std::unordered_map<std::size_t, Carrier> made_;
 };
 

@@ -7,14 +7,17 @@
 #include "repair/steps.hpp"
 
 namespace plumbline::repair_steps {
-void merge(Work& work, const Arranged& arranged) {
+void merge(Work& work, const Arranged& arranged, bool keeps_common_sides) {
   const Lists<SegmentId>& sources = arranged.complex.edge_sources;
   UnionFind sets(arranged.line_of.size());
   std::optional<std::vector<diagnose_steps::SideOf>> sides;
   bool found = false;
   for (std::size_t e = 0; e < sources.size(); ++e) {
     for (std::size_t i = 1; i < sources[e].size(); ++i) {
-      if (!sides) sides = diagnose_steps::sides_of(work.drawing());
+      if (!sides) {
+        sides = keeps_common_sides ? diagnose_steps::sides_of(work.drawing())
+                                   : std::vector<diagnose_steps::SideOf>(arranged.line_of.size());
+      }
       for (std::size_t j = 0; j < i; ++j) {
         const std::size_t p = sources[e][i], q = sources[e][j];
         if (sets.find(p) == sets.find(q) || are_neighbours((*sides)[p], (*sides)[q])) continue;

@@ -94,7 +94,7 @@ class Repairing {
 
   void merge_lines() {
     const std::size_t edits = work_.edits().size();
-    merge(work_, now_);
+    merge(work_, now_, options_.keeps_common_sides);
     if (work_.edits().size() == edits) return;
     rename_lines(now_, work_);
     looked_at_ = work_.edits().size();

@@ -79,11 +79,20 @@ class Simplifying {
     for (const SegmentId s : corner.line.segments) {
       const Segment authored = work_.input().segments[s];
       for (const Point& end : {authored.a, authored.b}) {
+        if (!is_beside(end, a, b)) continue;  // it has been cut off
         corner.squared_size = std::max(corner.squared_size, squared_distance(end, a, b));
       }
     }
     if (corner.squared_size > squared_distance_) return std::nullopt;
     return corner;
+  }
+
+  /// Whether the foot of p lies between a and b.
+  static bool is_beside(const Point& p, const Point& a, const Point& b) {
+    const auto along = [&](const Point& q) {
+      return Rational((q.x - a.x) * (b.x - a.x) + (q.y - a.y) * (b.y - a.y));
+    };
+    return sgn(along(p)) >= 0 && along(p) <= along(b);
   }
 
   /// Whether there is a vertex in the triangle, corners excepted, or on the new line.

@@ -43,8 +43,12 @@ std::vector<Tip> growing_tips(const Work& work, const Arranged& arranged) {
     const Edge& edge = complex.edges[e];
     for (const VertexId v : {edge.tail, edge.head}) {
       if (degree[v] != 1) continue;
-      const LineId id = arranged.lines(EdgeId(e)).front();
-      if (work.is_anchored(id) || work.is_virtual(id)) continue;
+      const std::vector<LineId> lines = arranged.lines(EdgeId(e));
+      if (std::ranges::any_of(
+              lines, [&](LineId id) { return work.is_anchored(id) || work.is_virtual(id); })) {
+        continue;
+      }
+      const LineId id = lines.front();
       const Line line = work.line(id);
       const Point tip = complex.vertices[v];
       const Point& from = line.a == tip ? line.b : line.a;

@@ -99,14 +99,14 @@ class Welding {
   }
 
   /// Whether d may go onto c: as it is and as it was authored it lies within the distance, beside
-  /// what c covers for more than the distance, and it is no detail as small as that, nor a chord.
+  /// what c covers for more than the distance, and neither is part of a curve or as small a detail.
   bool fits(const Carrier& c, const Carrier& d, const Interval& covered) {
     if (d.is_anchored || d.squared_length <= 4 * squared_distance_) return false;
     const Interval own = interval(c, d);
     const Rational both = std::min(own.high, covered.high) - std::max(own.low, covered.low);
     if (sgn(both) <= 0 || both * both * c.squared_length <= squared_distance_) return false;
     if (!is_near(c, d.a) || !is_near(c, d.b) || stays(d)) return false;
-    if (is_curve(c) || is_curve(d)) return false;
+    if (c.is_curved || d.is_curved) return false;
     for (const LineId id : d.lines) {
       for (const SegmentId s : work_.line(id).segments) {
         const Segment authored = work_.input().segments[s];
@@ -119,9 +119,6 @@ class Welding {
       }
     }
     return true;
-  }
-  bool is_curve(const Carrier& c) const {
-    return std::ranges::any_of(c.lines, [&](LineId id) { return work_.is_chord(id); });
   }
   bool stays(const Carrier& c) const {
     return std::ranges::any_of(c.lines, [&](LineId id) {
@@ -161,12 +158,22 @@ class Welding {
   /// Where the strongest carrier through v meets the next strong one, no further away than twice
   /// the distance; else its foot.
   Point image(const Point& v, const std::vector<std::size_t>& carriers) {
+    if (is_anchored_end(v, carriers)) return v;
     const Carrier& first = carrier(carriers.front());
     for (std::size_t i = 1; i < carriers.size(); ++i) {
       const std::optional<Point> p = meeting(first, carrier(carriers[i]));
       if (p && squared_distance(*p, v) <= 4 * squared_distance_) return *p;
     }
     return foot(first, v);
+  }
+
+  bool is_anchored_end(const Point& v, const std::vector<std::size_t>& carriers) {
+    return std::ranges::any_of(carriers, [&](std::size_t c) {
+      return carrier(c).is_anchored && std::ranges::any_of(carrier(c).lines, [&](LineId id) {
+               const Line line = work_.line(id);
+               return work_.is_anchored(id) && (line.a == v || line.b == v);
+             });
+    });
   }
 
   /// Lines lead over the images of their vertices.

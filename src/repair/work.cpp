@@ -58,11 +58,6 @@ std::string Work::layer(LineId id) const {
   return input_.sources[source(id)].layer;
 }
 
-bool Work::is_chord(LineId id) const {
-  if (input_.is_chord.empty()) return false;
-  return std::ranges::any_of(line(id).segments, [&](SegmentId s) { return input_.is_chord[s]; });
-}
-
 std::vector<LineId> Work::pieces(LineId id) const {
   if (is_there(id)) return {id};
   std::vector<LineId> result;
@@ -196,7 +191,6 @@ void Work::write(Repair& result) const {
   output.rings = std::move(drawing.rings);
   output.segment_source.clear();
   output.rounding.clear();
-  output.is_chord.clear();
   SourceId virtual_source;
   for (const LineId id : order) {
     if (is_added(id)) {
@@ -211,7 +205,6 @@ void Work::write(Repair& result) const {
       output.segment_source.push_back(source(id));
     }
     result.origins.push_back(line(id).segments);
-    if (!input_.is_chord.empty()) output.is_chord.push_back(is_chord(id));
   }
 }
 

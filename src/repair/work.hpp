@@ -27,8 +27,6 @@ class Work {
   Line line(LineId id) const;
   SegmentD rounded(LineId id) const;
   bool is_anchored(LineId id) const;
-  /// Whether it stands for a chord of a curve.
-  bool is_chord(LineId id) const;
   /// Whether they belong together on one layer.
   bool is_same_layer(LineId id, LineId other) const { return layer(id) == layer(other); }
   std::string layer(LineId id) const;

@@ -268,10 +268,8 @@ class Evaluation {
 SegmentSet with_rounding(SegmentSet set, const std::vector<Curve>& curves) {
   if (set.rounding.empty() && curves.empty()) return set;
   set.rounding.resize(set.segments.size());
-  if (!curves.empty()) set.is_chord.resize(set.segments.size());
   for (const Curve& curve : curves) {
     for (std::size_t i = curve.first; i < curve.first + curve.count; ++i) {
-      set.is_chord[i] = true;
       set.rounding[i] = std::max(set.rounding[i], curve.bound);
     }
   }

@@ -289,7 +289,6 @@ SegmentSet with_joints(SegmentSet set, const Joints& joints) {
   SegmentList segments;
   std::vector<SourceId> sources;
   std::vector<double> rounding;
-  std::vector<bool> is_chord;
   segments.reserve(set.segments.size() + joints.joints.size());
   sources.reserve(set.segments.size() + joints.joints.size());
   std::vector<std::uint32_t> places;  // of the segments that there were
@@ -313,7 +312,6 @@ SegmentSet with_joints(SegmentSet set, const Joints& joints) {
       segments.push_back(std::move(from), next);
       sources.push_back(set.segment_source[s]);
       if (!set.rounding.empty()) rounding.push_back(set.rounding[s]);
-      if (!set.is_chord.empty()) is_chord.push_back(set.is_chord[s]);
       from = std::move(next);
     }
   }
@@ -321,7 +319,6 @@ SegmentSet with_joints(SegmentSet set, const Joints& joints) {
   set.segments = std::move(segments);
   set.segment_source = std::move(sources);
   set.rounding = std::move(rounding);
-  set.is_chord = std::move(is_chord);
   set.ledger.insert(set.ledger.end(), joints.ledger.begin(), joints.ledger.end());
   set.remarks.insert(set.remarks.end(), joints.remarks.begin(), joints.remarks.end());
   return set;
