@@ -41,7 +41,8 @@ if(NODE AND NPM)
   if(CHROMIUM)
     set(report_page "page: what a reader sees and does in a browser")
     set(rooms_page "page: rooms in a browser")
-    foreach(page report rooms)
+    set(repair_page "page: a repair in a browser")
+    foreach(page report rooms repair)
       add_test(NAME ${${page}_page}
                COMMAND ${NODE} ${CMAKE_CURRENT_SOURCE_DIR}/${page}_browser_test.mjs
                        $<TARGET_FILE:plumbline_cli>

@@ -173,6 +173,15 @@ std::string repair_line(const Repair& repair);
 /// Numbers are positions in Repair::edits, from 1, here and below.
 std::string to_text(const Repair& repair, const SegmentSet& input,
                     std::optional<std::size_t> listed = {});
+/// A picture: the drawing after, with what was added, removed and moved, the edits that do most by
+/// their numbers, faces that were closed, split and joined, which part of their borders is virtual.
+/// `before` and `after` are the arrangements of the input and of the output, here and below.
+std::string to_svg(const Repair& repair, const SegmentSet& input, const ExactComplex& before,
+                   const ExactComplex& after);
+/// A page: the drawing before, after or both, and lists of edits, of what was refused and of faces,
+/// to search and to click through. One file that loads nothing else.
+std::string to_html(const Repair& repair, const SegmentSet& input, const ExactComplex& before,
+                    const ExactComplex& after);
 /// The log as JSON: tolerances, edits, faces, what was refused.
 std::string to_json(const Repair& repair, const SegmentSet& input);
 /// A repaired drawing as a layer of lines, on the layers of their elements. Columns: `line`,

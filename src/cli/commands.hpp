@@ -124,6 +124,7 @@ struct RepairArguments : InputArguments {
   std::optional<std::string> format;  ///< of the output
   std::optional<std::string> log;
   std::optional<std::string> findings;
+  std::optional<std::string> picture, report;
   std::optional<std::string> undo;  ///< the log of what is undone
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/complex_file.hpp"
@@ -15,6 +16,7 @@
 #include "cli/progress.hpp"
 #include "cli/repair_rules.hpp"
 #include "cli/report.hpp"
+#include "plumbline/arrange.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/geometry/layers.hpp"
 #include "plumbline/output.hpp"
@@ -137,8 +139,11 @@ ExitCode run_undo(const RepairArguments& arguments, const Output& output, Report
 
 ExitCode run(const RepairArguments& arguments, Report& report) {
   const Output output{arguments.output, repair_formats(), arguments.format};
-  if (check_outputs(arguments.file,
-                    {output, {arguments.log, {"json"}}, {arguments.findings, finding_formats()}})) {
+  if (check_outputs(arguments.file, {output,
+                                     {arguments.log, {"json"}},
+                                     {arguments.findings, finding_formats()},
+                                     {arguments.picture, {"svg"}},
+                                     {arguments.report, {"html"}}})) {
     report.leave_standard_output();
   }
   if (arguments.undo) return run_undo(arguments, output, report);
@@ -165,6 +170,14 @@ ExitCode run(const RepairArguments& arguments, Report& report) {
     write(*arguments.findings,
           feature_file(format_of({arguments.findings, finding_formats()}),
                        {{edit_layer(repaired, input)}, input.crs, "", {}, input.unit}));
+  }
+  if (arguments.picture || arguments.report) {
+    const auto [before, after] = [&] {
+      const Progress progress("drawing the repair", arguments);
+      return std::pair{arrange(input), arrange(repaired.output)};
+    }();
+    if (arguments.picture) write(*arguments.picture, to_svg(repaired, input, before, after));
+    if (arguments.report) write(*arguments.report, to_html(repaired, input, before, after));
   }
   if (is_dry) {
     report.print("a dry run: the repaired drawing is not written{}\n",

@@ -99,7 +99,7 @@ void add_outputs(CLI::App& command, RepairArguments& arguments) {
       "others have nearest doubles",
       repair_formats());
   command.add_flag("--dry-run", arguments.dry_run,
-                   "Say what would be done; of files write only --log and --findings");
+                   "Say what would be done; write no drawing, but the other files");
   command
       .add_option(
           "--log", arguments.log,
@@ -111,12 +111,21 @@ void add_outputs(CLI::App& command, RepairArguments& arguments) {
                   "like")
       ->type_name("FILE");
   command
+      .add_option("--picture", arguments.picture,
+                  "Draw what was added, removed and moved, and the faces that changed, to an SVG "
+                  "file")
+      ->type_name("FILE");
+  command
+      .add_option("--report", arguments.report,
+                  "Write an HTML page: the drawing before and after, the edits to click through")
+      ->type_name("FILE");
+  command
       .add_option_function<std::string>(
           "--undo", [&](const std::string& log) { arguments.undo = file_of(log); },
           "FILE is a repaired drawing and this the log of its repair: write to -o what it was made "
           "of")
       ->needs(output)
-      ->excludes("--dry-run", "--log", "--findings")
+      ->excludes("--dry-run", "--log", "--findings", "--picture", "--report")
       ->type_name("LOG");
   command
       .add_flag(
@@ -138,6 +147,7 @@ CLI::App* add_command(CLI::App& app, RepairArguments& arguments) {
       app.add_subcommand("repair", "Repair line work: a list of edits, and the drawing with them");
   command->footer(
       "Examples: plumbline repair plan.dxf\n"
+      "          plumbline repair plan.dxf --report fixes.html\n"
       "          plumbline repair plan.dxf -o fixed.dxf --log fixes.json\n"
       "          plumbline repair plan.svg --tolerance 0.05 --weld off --doors 0.6..1.2\n"
       "          plumbline repair fixed.dxf --undo fixes.json -o plan.dxf\n"

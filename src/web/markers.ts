@@ -1,7 +1,6 @@
 // Findings on the stage: rings with numbers; those that would overlap are one disc with their count.
 
 import { Box, emptyBox, extent, grow, overlap } from "./box";
-import type { Drawing } from "./drawing";
 import type { Finding } from "./report";
 import type { View } from "./view";
 
@@ -9,20 +8,26 @@ const cell = 30; // pixels; findings nearer than this share a marker
 const reach = 14; // of the pointer
 const mostNumbers = 4;
 
-export interface Marker {
+/// What has a number and mostly a place.
+export interface Located {
+  number: number;
+  where: { nearest: [number, number] } | null;
+}
+
+export interface Marker<T extends Located = Finding> {
   x: number; // on the stage
   y: number;
-  findings: Finding[];
+  findings: T[];
   box: Box; // of the places, in the drawing
 }
 
 /// The findings that have a place, with their local coordinates.
-export class Places {
-  readonly findings: Finding[];
+export class Places<T extends Located = Finding> {
+  readonly findings: T[];
   readonly x: Float64Array;
   readonly y: Float64Array;
 
-  constructor(findings: Finding[], drawing: Drawing) {
+  constructor(findings: T[], drawing: { local(place: [number, number]): [number, number] }) {
     this.findings = findings.filter((finding) => finding.where);
     this.x = new Float64Array(this.findings.length);
     this.y = new Float64Array(this.findings.length);
@@ -34,9 +39,9 @@ export class Places {
 
 /// A marker for each square of the stage that has findings. The squares hold still on the drawing
 /// while the view pans.
-export function markersOf({ findings, x, y }: Places, view: View): Marker[] {
+export function markersOf<T extends Located>({ findings, x, y }: Places<T>, view: View): Marker<T>[] {
   const { k, x: shiftX, y: shiftY } = view.transform;
-  const squares = new Map<number, Marker>();
+  const squares = new Map<number, Marker<T>>();
   const columns = Math.ceil(view.width / cell) + 4;
   const left = Math.floor(-shiftX / cell) - 1;
   const top = Math.floor(-shiftY / cell) - 1;
@@ -58,12 +63,14 @@ export function markersOf({ findings, x, y }: Places, view: View): Marker[] {
 }
 
 /// Whether coming nearer does not part its findings.
-export function isOnePlace(marker: Marker, view: View): boolean {
+export function isOnePlace(marker: Marker<Located>, view: View): boolean {
   return extent(marker.box) * view.transform.k < 1e-3;
 }
 
-export function markerAt(markers: Marker[], x: number, y: number): Marker | undefined {
-  let best: Marker | undefined;
+export function markerAt<T extends Located>(
+  markers: Marker<T>[], x: number, y: number,
+): Marker<T> | undefined {
+  let best: Marker<T> | undefined;
   let nearest = reach;
   for (const marker of markers) {
     const distance = Math.hypot(marker.x - x, marker.y - y);
@@ -80,7 +87,7 @@ export interface MarkerColours {
 /// Rings with numbers where findings have one place, discs with their count elsewhere. Numbers
 /// that would cover another marker or number are left out: the pointer tells them.
 export function drawMarkers(
-  on: CanvasRenderingContext2D, markers: Marker[], view: View, chosen: Finding | undefined,
+  on: CanvasRenderingContext2D, markers: Marker<Located>[], view: View, chosen: Located | undefined,
   colours: MarkerColours,
 ): void {
   const taken: Box[] = markers.map(({ x, y }) => ({ left: x - 8, top: y - 8, right: x + 8, bottom: y + 8 }));
@@ -93,7 +100,7 @@ export function drawMarkers(
   }
 }
 
-function drawDisc(on: CanvasRenderingContext2D, marker: Marker, colours: MarkerColours): void {
+function drawDisc(on: CanvasRenderingContext2D, marker: Marker<Located>, colours: MarkerColours): void {
   const count = marker.findings.length;
   on.beginPath();
   on.arc(marker.x, marker.y, 9 + Math.min(Math.log2(count), 6), 0, 2 * Math.PI);
@@ -106,7 +113,7 @@ function drawDisc(on: CanvasRenderingContext2D, marker: Marker, colours: MarkerC
 }
 
 function drawRing(
-  on: CanvasRenderingContext2D, marker: Marker, taken: Box[], colours: MarkerColours,
+  on: CanvasRenderingContext2D, marker: Marker<Located>, taken: Box[], colours: MarkerColours,
 ): void {
   const radius = 7;
   on.beginPath();

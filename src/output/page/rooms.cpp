@@ -35,7 +35,7 @@ std::string row(const Rooms& rooms, std::size_t r) {
       area_text(rooms, room.area), joined(own_names(room.layers)), neighbours_of(room));
 }
 
-std::string list(const Rooms& rooms, const SegmentSet& input, const std::string& title) {
+std::string list_section(const Rooms& rooms, const SegmentSet& input, const std::string& title) {
   std::string text = fmt::format(
       "<section id=\"list\">\n<h1>{}</h1>\n<p>{}</p>\n"
       "<input id=\"search\" type=\"search\" placeholder=\"Search names, layers, numbers\" "
@@ -64,8 +64,8 @@ std::string to_html(const Rooms& rooms, const SegmentSet& input, const ExactComp
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<section id=\"plan\">\n{}"
       "<button id=\"whole\" type=\"button\">whole plan</button>\n</section>\n{}"
       "<script>\n{}</script>\n</body>\n</html>\n",
-      xml_text(title), kRoomsStyle, plan_of_rooms(rooms, input, complex), list(rooms, input, title),
-      kRoomsScript);
+      xml_text(title), kRoomsStyle, plan_of_rooms(rooms, input, complex),
+      list_section(rooms, input, title), kRoomsScript);
 }
 
 }  // namespace plumbline

@@ -11,16 +11,21 @@ namespace {
 
 constexpr double kMarkPens = 2.5, kDashPens = 4, kDotPens = 2;
 
-std::string cycle_path(const FloatComplex& complex, CycleId cycle, const Frame& frame) {
+PointD place(const FloatComplex& complex, VertexId v) { return complex.vertices[v]; }
+PointD place(const ExactComplex& complex, VertexId v) { return complex.vertices.nearest(v); }
+
+template <class Complex>
+std::string cycle_path(const Complex& complex, CycleId cycle, const Frame& frame) {
   std::vector<PointD> points;
   points.reserve(complex.cycles[cycle].size());
   for (const HalfedgeId h : complex.cycles[cycle]) {
-    points.push_back(frame(complex.vertices[complex.origin(h)]));
+    points.push_back(frame(place(complex, complex.origin(h))));
   }
   return closed_path(points);
 }
 
-std::string face_path(const FloatComplex& complex, FaceId f, const Frame& frame) {
+template <class Complex>
+std::string path_of(const Complex& complex, FaceId f, const Frame& frame) {
   std::string path;
   if (complex.face_outer[f].valid()) path = cycle_path(complex, complex.face_outer[f], frame);
   for (const CycleId hole : complex.face_holes[f]) path += cycle_path(complex, hole, frame);
@@ -33,7 +38,7 @@ void append_faces(std::string& svg, const FloatComplex& complex, const Frame& fr
     const std::size_t depth = std::max<std::size_t>(complex.face_depth[f], 1);
     svg += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n",
                        kDepthColours[std::min(depth, kDepthColours.size()) - 1],
-                       face_path(complex, FaceId(f), frame));
+                       path_of(complex, FaceId(f), frame));
   }
   svg += "</g>\n";
 }
@@ -75,7 +80,7 @@ void append_marked_faces(std::string& svg, const FloatComplex& complex, const Fr
   for (const FaceId f : marks.faces) {
     if (f == kUnbounded) continue;
     svg += fmt::format("<path fill=\"{}\" fill-opacity=\"0.28\" fill-rule=\"evenodd\" ", kMark);
-    svg += fmt::format("d=\"{}\"/>\n", face_path(complex, f, frame));
+    svg += fmt::format("d=\"{}\"/>\n", path_of(complex, f, frame));
   }
 }
 
@@ -105,6 +110,10 @@ std::string panel(const FloatComplex& complex, const Frame& frame, double pen, c
   }
   for (const VertexId v : marks.vertices) svg += dot(frame(complex.vertices[v]), pen, kMark);
   return svg;
+}
+
+std::string face_path(const ExactComplex& complex, FaceId f, const Frame& frame) {
+  return path_of(complex, f, frame);
 }
 
 }  // namespace plumbline::svg

@@ -23,4 +23,8 @@ struct Marks {
 std::string panel(const FloatComplex& complex, const Frame& frame, double pen,
                   const Marks& marks = {}, const std::string& of_lines = {});
 
+/// The path of a face with its holes, to fill by the rule even-odd; "" for the unbounded one of a
+/// complex in one piece.
+std::string face_path(const ExactComplex& complex, FaceId f, const Frame& frame);
+
 }  // namespace plumbline::svg

@@ -58,19 +58,11 @@ std::string fills(const Rooms& rooms, const ExactComplex& complex, const svg::Fr
     colour[rooms.rooms[r].face] = kColours[colours[r] % kColours.size()];
     room_of[rooms.rooms[r].face] = r + 1;
   }
-  const auto cycle = [&](CycleId c) {
-    std::vector<PointD> points;
-    for (const HalfedgeId h : complex.cycles[c]) {
-      points.push_back(frame(complex.vertices.nearest(complex.origin(h))));
-    }
-    return svg::closed_path(points);
-  };
   std::string text = "<g stroke=\"none\" fill-rule=\"evenodd\">\n";
   for (std::size_t f = 1; f < complex.face_count(); ++f) {
-    std::string path = cycle(complex.face_outer[f]);
-    for (const CycleId hole : complex.face_holes[f]) path += cycle(hole);
     const std::string room = room_of[f] == 0 ? "" : fmt::format(" data-room=\"{}\"", room_of[f]);
-    text += fmt::format("<path{} fill=\"{}\" d=\"{}\"/>\n", room, colour[f], path);
+    text += fmt::format("<path{} fill=\"{}\" d=\"{}\"/>\n", room, colour[f],
+                        svg::face_path(complex, FaceId(f), frame));
   }
   return text + "</g>\n";
 }

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 
 #include "output/text/terminal.hpp"
+#include "output/text/verdict.hpp"
+#include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
 
 namespace plumbline {
@@ -103,6 +105,38 @@ std::vector<double> effects(const Repair& repair) {
     for (const std::size_t e : outcome.edits) areas.at(e) += size;
   }
   return areas;
+}
+
+std::vector<std::size_t> most_effective_first(const Repair& repair) {
+  const std::vector<double> areas = effects(repair);
+  std::vector<std::size_t> order(repair.edits.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (areas[a] != areas[b]) return areas[a] > areas[b];
+    return repair.edits[a].squared_size > repair.edits[b].squared_size;
+  });
+  return order;
+}
+
+std::string place_text_of(const Point& where, const Rational& squared_size) {
+  constexpr double kLeast = 1e-9;  // of the coordinates
+  const PointD p = nearest(where);
+  return place_text(where, std::max({nearest_sqrt(squared_size), kLeast * std::abs(p.x),
+                                     kLeast * std::abs(p.y), 1e-300}));
+}
+
+std::string element_text(const SegmentSet& input, const std::vector<SegmentId>& segments) {
+  const std::vector<SourceId> sources = sources_of(input, segments);
+  if (sources.empty()) return "a new line";
+  Source source = input.sources[sources.front()];
+  source.path.clear();
+  source.column = 0;
+  std::vector<std::string> names;
+  for (const std::string& file : input.files) names.push_back(file.substr(file.rfind('/') + 1));
+  std::string text = to_text(source, names);
+  if (!source.layer.empty()) text += " on " + source.layer;
+  if (sources.size() > 1) text += fmt::format(" and {} more", sources.size() - 1);
+  return line_text(text);
 }
 
 std::string to_text(const Tolerances& tolerances) {

@@ -4,13 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
 #include <set>
 
 #include "output/text/edits.hpp"
 #include "output/text/terminal.hpp"
-#include "output/text/verdict.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
 
@@ -77,41 +74,6 @@ std::string faces_text(const Repair& repair) {
   return text.empty() ? "no room changed" : text;
 }
 
-/// Those that change most first: faces by area, then by size.
-std::vector<std::size_t> order_of(const Repair& repair) {
-  const std::vector<double> areas = effects(repair);
-  std::vector<std::size_t> order(repair.edits.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    if (areas[a] != areas[b]) return areas[a] > areas[b];
-    return repair.edits[a].squared_size > repair.edits[b].squared_size;
-  });
-  return order;
-}
-
-/// In digits that suit the size of what happened there.
-std::string at(const Point& where, const Rational& squared_size) {
-  constexpr double kLeast = 1e-9;  // of the coordinates
-  const PointD p = nearest(where);
-  return place_text(where, std::max({nearest_sqrt(squared_size), kLeast * std::abs(p.x),
-                                     kLeast * std::abs(p.y), 1e-300}));
-}
-
-/// "plan.dxf:312 LINE #2F on A-WALL and 2 more".
-std::string element_text(const SegmentSet& input, const std::vector<SegmentId>& segments) {
-  const std::vector<SourceId> sources = sources_of(input, segments);
-  if (sources.empty()) return "a new line";
-  Source source = input.sources[sources.front()];
-  source.path.clear();
-  source.column = 0;
-  std::vector<std::string> names;
-  for (const std::string& file : input.files) names.push_back(file.substr(file.rfind('/') + 1));
-  std::string text = to_text(source, names);
-  if (!source.layer.empty()) text += " on " + source.layer;
-  if (sources.size() > 1) text += fmt::format(" and {} more", sources.size() - 1);
-  return line_text(text);
-}
-
 /// A row of one of the tables.
 struct Row {
   std::string number, kind, size, where, what, element;
@@ -131,14 +93,14 @@ void append_edits(std::string& text, const Repair& repair, const SegmentSet& inp
   if (shown == 0) return;
   const std::vector<std::string> rooms = room_texts(repair, listed ? kFacesOfList : kFacesOfRow);
   text += row_text({"edit", "what", "how far", "where", "rooms", "element"}, true);
-  const std::vector<std::size_t> order = order_of(repair);
+  const std::vector<std::size_t> order = most_effective_first(repair);
   for (std::size_t i = 0; i < shown; ++i) {
     const std::size_t e = order[i];
     const Edit& edit = repair.edits[e];
-    text += row_text(
-        {std::to_string(e + 1), to_text(edit.kind), size_text(edit.squared_size),
-         at(edit.where, edit.squared_size), rooms[e], element_text(input, segments_of(edit))},
-        listed.has_value());
+    text += row_text({std::to_string(e + 1), to_text(edit.kind), size_text(edit.squared_size),
+                      place_text_of(edit.where, edit.squared_size), rooms[e],
+                      element_text(input, segments_of(edit))},
+                     listed.has_value());
   }
   if (shown < repair.edits.size()) {
     text += fmt::format("      ... and {} more (--list N, --log, --findings)\n",
@@ -156,10 +118,10 @@ void append_refused(std::string& text, const Repair& repair, const SegmentSet& i
     if (i == 0 || refusal.reason != repair.refused[i - 1].reason) {
       text += "refused: " + line_text(refusal.reason) + '\n';
     }
-    text += row_text(
-        {"", to_text(refusal.kind), size_text(refusal.squared_size),
-         at(refusal.where, refusal.squared_size), "", element_text(input, refusal.segments)},
-        listed.has_value());
+    text += row_text({"", to_text(refusal.kind), size_text(refusal.squared_size),
+                      place_text_of(refusal.where, refusal.squared_size), "",
+                      element_text(input, refusal.segments)},
+                     listed.has_value());
   }
   if (shown < repair.refused.size()) {
     text += fmt::format("      ... and {} more\n", repair.refused.size() - shown);
