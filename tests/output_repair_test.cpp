@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
+#include "output/svg/repair_parts.hpp"
+#include "plumbline/arrange.hpp"
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
@@ -64,7 +67,132 @@ Repair repaired(const SegmentSet& input) {
   return repair;
 }
 
+std::size_t occurrences(const std::string& text, const std::string& of) {
+  std::size_t count = 0;
+  for (auto at = text.find(of); at != text.npos; at = text.find(of, at + 1)) ++count;
+  return count;
+}
+
+/// A line each: "kept 0 0, 10 0".
+std::string parts_text(const SegmentSet& input, const Repair& repair) {
+  constexpr std::array kNames{"kept", "added", "removed", "from", "to", "virtual"};
+  std::string text;
+  for (const LinePart& part : line_parts(input, repair)) {
+    text += kNames.at(static_cast<std::size_t>(part.fate));
+    text += ' ' + to_text(part.segment) + '\n';
+  }
+  return text;
+}
+
 }  // namespace
+
+TEST_CASE("parts of lines: what was kept, added, removed and is virtual") {
+  const SegmentSet input = plan();
+  CHECK(parts_text(input, repaired(input)) ==
+        "kept 0 0, 10 0\n"
+        "kept 10 0.02, 10 8\n"
+        "added 10 0, 10 0.02\n"
+        "kept 0 8, 10 8\n"
+        "kept 0 0, 0 8\n"
+        "virtual 5 0, 5 8\n"
+        "removed 10 0, 10.03 0\n");
+}
+
+TEST_CASE(
+    "parts of lines: a welded line is where it was and where it is; one drawn twice is kept") {
+  const SegmentSet input = evaluate(
+      read_lines("0,0,10,0\n10,0,0,0\n4,0.002,4,8\n0,0.001,12,0.001\n5,5,6,6\n", "a.lines"));
+  Repair repair;
+  repair.output = input;
+  repair.output.segments = {{{0, 0}, {12, 0}}, {{4, 0}, {4, 8}}};
+  repair.output.segment_source.resize(2);
+  const std::vector<SegmentId> wall{SegmentId(0), SegmentId(1), SegmentId(3)}, end{SegmentId(2)};
+  repair.origins.push_back(wall);
+  repair.origins.push_back(end);
+  const Point low{0, parse_decimal("0.001")}, far{12, parse_decimal("0.001")};
+  repair.edits = {{EditKind::Weld,
+                   low,
+                   parse_decimal("0.000001"),
+                   {{low, far, {SegmentId(3)}}},
+                   {{{0, 0}, {12, 0}, {SegmentId(3)}}}}};
+  CHECK(parts_text(input, repair) ==
+        "kept 0 0, 10 0\n"
+        "to 10 0, 12 0\n"
+        "kept 4 0.002, 4 8\n"
+        "added 4 0, 4 0.002\n"
+        "from 0 0.001, 12 0.001\n"
+        "removed 5 5, 6 6\n");
+}
+
+TEST_CASE("faces of a picture: what became of them, which part of their border is virtual") {
+  const SegmentSet input = plan();
+  const Repair repair = repaired(input);
+  const ExactComplex after = arrange(repair.output);
+  const std::vector<double> shares = virtual_shares(repair, after);
+  REQUIRE(shares.size() == 3);
+  CHECK(shares[0] == 0);
+  CHECK(shares[1] == Approx(8.0 / 26));
+  const std::vector<ShownFace> faces = shown_faces(repair, after);
+  REQUIRE(faces.size() == 3);
+  CHECK(faces[0].title == "closed 80, 31 % of its border virtual");
+  CHECK(faces[1].title == "split 80 -> 40, 31 % of its border virtual");
+  CHECK_FALSE(faces[1].is_other);
+  CHECK(faces[2].is_other);
+  Repair without_faces = repair;
+  without_faces.faces.clear();
+  const std::vector<ShownFace> others = shown_faces(without_faces, after);
+  REQUIRE(others.size() == 2);
+  CHECK(others[0].what == "virtual");
+  CHECK(others[0].title == "40, 31 % of its border virtual");
+}
+
+TEST_CASE("a picture of a repair: lines by fate, faces, rings with numbers, a list, crosses") {
+  const SegmentSet input = plan();
+  const Repair repair = repaired(input);
+  const std::string svg = to_svg(repair, input, arrange(input), arrange(repair.output));
+  CHECK(holds(svg, ">plan.lines: repair<"));
+  CHECK(holds(svg, ">3 edits: 1 end grown by 0.02"));
+  for (const char* words : {"as it was", "added", "removed", "virtual", "face closed (1)",
+                            "part of a split face (2)", "refused (1)", "closed 80"}) {
+    CHECK(holds(svg, std::string(">") + words + "<"));
+  }
+  CHECK_FALSE(holds(svg, ">moved"));
+  CHECK(holds(svg, "<title>split 80 -&gt; 40, 31 % of its border virtual</title>"));
+  CHECK(occurrences(svg, "<circle") == 3);
+  CHECK(holds(svg, ">3</text>"));
+}
+
+TEST_CASE("a picture of very many edits has dots instead of rings, and no overlong list") {
+  const SegmentSet input = plan();
+  Repair repair = repaired(input);
+  for (int i = 0; i < 3000; ++i) {
+    repair.edits.push_back(repair.edits[1]);
+    repair.edits.back().where = {Rational(i % 60, 6), Rational(i / 60, 7)};
+  }
+  const std::string svg = to_svg(repair, input, arrange(input), arrange(repair.output));
+  CHECK(occurrences(svg, "r=\"2.2\"") > 2900);
+  CHECK(holds(svg, "more edits<"));
+  CHECK(occurrences(svg, ">trim<") < 60);
+}
+
+TEST_CASE("a page of a repair: names are text, without scripts the list is there") {
+  SegmentSet input = plan();
+  input.files[0] = "a/</script><img src=x onerror=alert(1)>.lines";
+  const Repair repair = repaired(input);
+  const std::string page = to_html(repair, input, arrange(input), arrange(repair.output));
+  CHECK_FALSE(holds(page, "<img"));
+  CHECK(holds(page, "script&gt;&lt;img src=x onerror=alert(1)&gt;.lines: repair</title>"));
+  CHECK(holds(page, "<noscript><pre>\n3 edits: 1 end grown by 0.02"));
+  CHECK(holds(page, "id=\"edits-panel\""));
+  CHECK(occurrences(page, "</script>") == 3);
+}
+
+TEST_CASE("pictures and pages of nothing") {
+  const SegmentSet nothing;
+  const ExactComplex empty = arrange(nothing);
+  CHECK(holds(to_svg(Repair{}, nothing, empty, empty), ">no edits<"));
+  CHECK(holds(to_html(Repair{}, nothing, empty, empty), "no edits"));
+}
 
 TEST_CASE("a repair in one line: edits by kind with the largest size, rooms, refusals") {
   const SegmentSet input = plan();

@@ -50,6 +50,9 @@ for format in geojson csv wkt wkb dxf svg; do
   expect "and read again: .$format" 0 '' same fixed.$format fixed.lines
 done
 expect "edits as points" 0 '"kind":"trim"' "$plumbline" repair corner.lines --tolerance 0.05 --findings -
+expect "a picture of them" 0 '>closed 80<' "$plumbline" repair corner.lines --tolerance 0.05 --picture -
+expect "a page, and no drawing" 0 'wrote corner.html.*dry run' "$plumbline" repair corner.lines --tolerance 0.05 --report corner.html
+expect "of one format only" 2 '' "$plumbline" repair corner.lines --report corner.svg
 
 # ---- Files that are kept
 svg '<rect width="9" height="9"/><path id="wall" stroke="red" d="M3 0V8.98"><title>Hall</title></path><circle cx="6" cy="5" r="1"/>' >plan.svg

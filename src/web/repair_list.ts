@@ -4,6 +4,7 @@ import { count, element, number } from "./dom";
 import type { Item } from "./repair_data";
 
 const chunk = 200; // items added at a time
+const mostEdits = 12; // named of a room
 
 export interface Order {
   title: string;
@@ -137,7 +138,7 @@ export class ItemList {
       element("span", { class: "size" }, size),
       element("span", { class: "message" }, [item.at, item.element].filter(Boolean).join(" · ")),
       item.message && element("span", { class: "message rooms" }, item.message),
-      item.edits && item.edits.length > 0 && element("span", { class: "message" }, `by edits ${item.edits.join(", ")}`),
+      item.edits && item.edits.length > 0 && element("span", { class: "message" }, `by edit ${item.edits.slice(0, mostEdits).join(", ")}${item.edits.length > mostEdits ? ", …" : ""}`),
     );
     head.addEventListener("click", () => this.choose(isOpen ? undefined : item));
     const node = element("li", { class: isOpen ? "open" : "" }, head, isOpen && details(item));

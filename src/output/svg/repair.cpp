@@ -108,16 +108,17 @@ std::string lines(const Picture& picture) {
   return text;
 }
 
-/// Parts the edits into those that get a ring with their number, which stand apart or in one place,
-/// and the rest, which get dots.
+/// Parts the edits into those that get a ring with their number, of very many some that stand apart
+/// or in one place, and the rest, which get dots.
 void choose_rings(Picture& picture, const Repair& repair) {
   constexpr double kSame = 1, kApart = 22;
+  const bool is_sparse = picture.order.size() <= kAllNumbered;
   std::vector<PointD> rings;
   for (const std::size_t e : picture.order) {
     const PointD p = picture.frame(nearest(repair.edits[e].where));
     const auto is_clear = [&](const PointD& q) {
       const double distance = std::hypot(p.x - q.x, p.y - q.y);
-      return distance < kSame || distance > kApart;
+      return is_sparse || distance < kSame || distance > kApart;
     };
     const bool is_ringed =
         picture.ringed.size() < kAllNumbered && std::ranges::all_of(rings, is_clear);
@@ -174,7 +175,7 @@ std::string legend(const Picture& picture, const Repair& repair, double left, do
   }
   if (!picture.dotted.empty()) {
     row(svg::circle({left + 16, y + kRow - 5}, 3, fmt::format(" fill=\"{}\"", svg::kMark)),
-        fmt::format("{} more edits", picture.dotted.size()));
+        counted(picture.dotted.size(), "more edit"));
   }
   if (!repair.refused.empty()) {
     row(fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" d=\"M{} {}l8 8m0 "

@@ -138,11 +138,11 @@ for(let last=ring+ringsOf[f];ring<last;++ring){let places=[];for(let end=point+p
 [x[point],y[point]]);grow(box,...at),places.push(at)}rings.push(places)}return{item,rings,box}})}function isInside({rings,
 box},x,y){if(x<box.left||x>box.right||y<box.top||y>box.bottom)return!1;let inside=!1;for(let ring of rings)ring.forEach(
 ([bx,by],i)=>{let[ax,ay]=ring[(i+ring.length-1)%ring.length];ay>y!=by>y&&x<ax+(y-ay)/(by-ay)*(bx-ax)&&(inside=!inside)});
-return inside}var chunk=200,ItemList=class{constructor(panel,all,none2,orders){this.panel=panel;this.all=all;this.none=none2;this.orders=
-orders;this.onFilter=()=>{};this.onChoose=()=>{};this.hidden=new Set;this.shown=[];this.isPrinting=!1;this.search=element(
-"input",{type:"search",class:"search"});this.sorting=element("select");this.total=element("p",{class:"quiet total",role:"\
-status"});this.list=element("ol",{class:"list"});this.more=element("div",{class:"quiet more-items"},"more \u2026");this.
-search.placeholder="Search rooms, layers, elements, places",this.search.ariaLabel="Search",orders.forEach(({title},i)=>this.
+return inside}var chunk=200,mostEdits=12,ItemList=class{constructor(panel,all,none2,orders){this.panel=panel;this.all=all;this.none=none2;
+this.orders=orders;this.onFilter=()=>{};this.onChoose=()=>{};this.hidden=new Set;this.shown=[];this.isPrinting=!1;this.search=
+element("input",{type:"search",class:"search"});this.sorting=element("select");this.total=element("p",{class:"quiet tota\
+l",role:"status"});this.list=element("ol",{class:"list"});this.more=element("div",{class:"quiet more-items"},"more \u2026");
+this.search.placeholder="Search rooms, layers, elements, places",this.search.ariaLabel="Search",orders.forEach(({title},i)=>this.
 sorting.append(element("option",{value:String(i)},title)));let chips=element("div",{role:"group","aria-label":"Filter by\
  kind"}),controls=element("div",{class:"controls"},this.search,element("label",{class:"choice"},"first ",this.sorting),element(
 "div",{class:"filter"},element("span",{},"kind"),chips));controls.hidden=all.length===0,panel.append(controls,this.total,
@@ -170,14 +170,14 @@ number}"]`)}make(item){let isOpen=item===this.chosen,size=item.size?number(item.
 tton",class:"item-head","aria-expanded":String(isOpen)},element("span",{class:"badge"},String(item.number)),element("spa\
 n",{class:"what"},item.title??item.kind),element("span",{class:"size"},size),element("span",{class:"message"},[item.at,item.
 element].filter(Boolean).join(" \xB7 ")),item.message&&element("span",{class:"message rooms"},item.message),item.edits&&
-item.edits.length>0&&element("span",{class:"message"},`by edits ${item.edits.join(", ")}`));head.addEventListener("click",
-()=>this.choose(isOpen?void 0:item));let node=element("li",{class:isOpen?"open":""},head,isOpen&&details(item));return node.
-dataset.number=String(item.number),node}};function details(item){let list=element("dl",{class:"details"}),add=(term,...values)=>{
-values.some(Boolean)&&list.append(element("dt",{},term),element("dd",{},...values))};if(add("x",element("code",{},item.where.
-exact[0])),add("y",element("code",{},item.where.exact[1])),add("size",!!item.size&&number(item.size,12)),add("its square",
-!!item.size&&element("code",{},item.squared_size)),add("area",item.area?number(item.area,12):void 0),item.elements&&item.
-elements.length>0){let elements=element("ul");for(let text of item.elements)elements.append(element("li",{},text));add("\
-from",elements)}return list}function clipSegment(box,ax,ay,bx,by,out){let dx=bx-ax,dy=by-ay,first=0,last=1,passes=(step,room)=>{if(step===0)return room>=
+item.edits.length>0&&element("span",{class:"message"},`by edit ${item.edits.slice(0,mostEdits).join(", ")}${item.edits.length>
+mostEdits?", \u2026":""}`));head.addEventListener("click",()=>this.choose(isOpen?void 0:item));let node=element("li",{class:isOpen?
+"open":""},head,isOpen&&details(item));return node.dataset.number=String(item.number),node}};function details(item){let list=element(
+"dl",{class:"details"}),add=(term,...values)=>{values.some(Boolean)&&list.append(element("dt",{},term),element("dd",{},...values))};
+if(add("x",element("code",{},item.where.exact[0])),add("y",element("code",{},item.where.exact[1])),add("size",!!item.size&&
+number(item.size,12)),add("its square",!!item.size&&element("code",{},item.squared_size)),add("area",item.area?number(item.
+area,12):void 0),item.elements&&item.elements.length>0){let elements=element("ul");for(let text of item.elements)elements.
+append(element("li",{},text));add("from",elements)}return list}function clipSegment(box,ax,ay,bx,by,out){let dx=bx-ax,dy=by-ay,first=0,last=1,passes=(step,room)=>{if(step===0)return room>=
 0;let t=room/step;return step<0?first=Math.max(first,t):last=Math.min(last,t),first<=last};!passes(-dx,ax-box.left)||!passes(
 dx,box.right-ax)||!passes(-dy,ay-box.top)||!passes(dy,box.bottom-ay)||out.push(first===0?ax:ax+first*dx,first===0?ay:ay+
 first*dy,last===1?bx:ax+last*dx,last===1?by:ay+last*dy)}function clipRing(box,ring){let sides=[[0,box.left,1],[0,box.right,
