@@ -26,7 +26,7 @@ export interface Item {
   elements?: string[];
   edits?: number[];
   is_after?: boolean;
-  is_other?: boolean; // of the parts of a split face every other one
+  is_other?: boolean; // which of two colours tells it from its neighbours
 }
 
 interface Content {

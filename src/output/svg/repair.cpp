@@ -42,9 +42,9 @@ constexpr std::array kOrder{LineFate::Kept,    LineFate::MovedFrom, LineFate::Mo
 struct Fill {
   const char* colour;
   const char* words;
-  const char* other = nullptr;  ///< colour of every other part
+  const char* other = "";  ///< the second colour of faces after
 };
-const std::map<std::string, Fill> kFills{{"closed", {"#c9ecd9", "face closed"}},
+const std::map<std::string, Fill> kFills{{"closed", {"#c9ecd9", "face closed", "#def0c6"}},
                                          {"split", {"#ddd3f3", "part of a split face", "#f0d5ee"}},
                                          {"joined", {"#fbd7a0", "face joined to another one"}},
                                          {"opened", {"#f7c6c9", "face opened"}},

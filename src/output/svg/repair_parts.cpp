@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 
 #include "output/text/terminal.hpp"
 
@@ -97,6 +97,25 @@ double length(const ExactComplex& complex, EdgeId e) {
   return std::hypot(p.x - q.x, p.y - q.y);
 }
 
+/// Of two colours each face after gets the one that fewer of its neighbours have so far.
+void tell_apart(std::vector<ShownFace>& faces, const ExactComplex& after) {
+  std::vector<int> colour(after.face_count(), -1);
+  for (ShownFace& shown : faces) {
+    if (!shown.is_after) continue;
+    std::array<std::size_t, 2> neighbours{};
+    const auto look = [&](CycleId cycle) {
+      for (const HalfedgeId h : after.cycles[cycle]) {
+        const int other = colour[after.halfedge_face[twin(h)]];
+        if (other >= 0) ++neighbours.at(static_cast<std::size_t>(other));
+      }
+    };
+    look(after.face_outer[shown.face]);
+    for (const CycleId hole : after.face_holes[shown.face]) look(hole);
+    shown.is_other = neighbours[0] > neighbours[1];
+    colour[shown.face] = shown.is_other ? 1 : 0;
+  }
+}
+
 std::string title_of(const FaceOutcome& outcome) {
   const std::string before = short_number(nearest_double(outcome.area_before));
   const std::string after = short_number(nearest_double(outcome.area_after));
@@ -156,7 +175,6 @@ std::vector<ShownFace> shown_faces(const Repair& repair, const ExactComplex& aft
   };
   std::vector<bool> is_told(after.face_count());
   std::vector<ShownFace> faces;
-  std::map<FaceId, std::size_t> parts;  // of a face before, so far
   for (const FaceOutcome& outcome : repair.faces) {
     if (outcome.fate == FaceFate::Changed) continue;
     const bool is_after = outcome.fate == FaceFate::Closed || outcome.fate == FaceFate::Split;
@@ -166,11 +184,10 @@ std::vector<ShownFace> shown_faces(const Repair& repair, const ExactComplex& aft
       is_told[face] = true;
       if (shares[face] > 0) title += ", " + border(face);
     }
-    const bool is_other = outcome.fate == FaceFate::Split && parts[outcome.before]++ % 2 == 1;
     faces.push_back({to_text(outcome.fate), is_after, face, title, outcome.edits, outcome.where,
-                     nearest_double(is_after ? outcome.area_after : outcome.area_before),
-                     is_other});
+                     nearest_double(is_after ? outcome.area_after : outcome.area_before)});
   }
+  tell_apart(faces, after);
   for (std::size_t f = 1; f < shares.size(); ++f) {
     if (shares[f] == 0 || is_told[f]) continue;
     const double area = nearest_double(face_area(after, FaceId(f)));

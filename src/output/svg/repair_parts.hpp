@@ -42,7 +42,7 @@ struct ShownFace {
   std::vector<std::size_t> edits;
   Point where;
   double area;
-  bool is_other = false;  ///< of the parts of a split face every other one, to be told apart
+  bool is_other = false;  ///< which of two colours tells it from its neighbours
 };
 
 /// Closed and split faces as they are after, joined and opened ones as they were, by outcome; then
