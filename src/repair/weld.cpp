@@ -110,7 +110,7 @@ class Welding {
     for (const LineId id : d.lines) {
       for (const SegmentId s : work_.line(id).segments) {
         const Segment authored = work_.input().segments[s];
-        if (is_near(c, authored.a) && is_near(c, authored.b)) continue;
+        if (is_near_or_cut_off(c, d, authored.a) && is_near_or_cut_off(c, d, authored.b)) continue;
         work_.refuse(
             EditKind::Weld, d.a,
             std::max(squared_distance_from(c, authored.a), squared_distance_from(c, authored.b)),
@@ -119,6 +119,11 @@ class Welding {
       }
     }
     return true;
+  }
+  /// Whether an end of a segment that d stands for is near c, or not beside d any more.
+  bool is_near_or_cut_off(const Carrier& c, const Carrier& d, const Point& p) const {
+    const Rational t = parameter(d, p);
+    return t < 0 || t > 1 || is_near(c, p);
   }
   bool stays(const Carrier& c) const {
     return std::ranges::any_of(c.lines, [&](LineId id) {
