@@ -54,55 +54,51 @@ struct Ends {
   PointD unit;
 };
 
-/// Where lines end, and which: ends that are one point are so together.
-struct EndPoints {
-  std::vector<std::pair<PointD, std::size_t>> ends;  ///< ascending; with the line
-
-  explicit EndPoints(const std::vector<Ends>& lines) {
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      ends.emplace_back(lines[i].line.a, i);
-      ends.emplace_back(lines[i].line.b, i);
-    }
-    std::ranges::sort(ends, [](const auto& p, const auto& q) {
-      return p.first == q.first ? p.second < q.second : p.first < q.first;
-    });
+/// The new lines, and what may be within reach of one of them. Ascending.
+std::vector<std::size_t> around_new(const std::vector<Ends>& lines, double reach) {
+  std::vector<BoxD> boxes;
+  for (const Ends& line : lines) {
+    const std::array ends = {line.line.a, line.line.b};
+    if (line.is_new) boxes.push_back(grown(box_of(ends), reach));
   }
-};
+  const bool all_new = boxes.size() == lines.size();
+  const BoxTree tree(all_new ? std::span<const BoxD>() : std::span<const BoxD>(boxes));
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].is_new || !tree.meeting(lines[i].line).empty()) result.push_back(i);
+  }
+  return result;
+}
 
 /// Calls visit(i, j) where an end of line i is within reach of line j and one of them is new.
 template <class Visit>
 void for_each_near_end(const std::vector<Ends>& lines, double reach, const Visit& visit) {
-  std::vector<Edge> edges;  // of the new lines
+  const std::vector<std::size_t> some = around_new(lines, reach);
+  std::vector<Edge> edges;
   std::vector<PointD> ends;
-  std::vector<std::size_t> line_of;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!lines[i].is_new) continue;
+  std::vector<std::pair<PointD, std::size_t>> lines_at;  // by their ends
+  for (const std::size_t i : some) {
     edges.push_back({VertexId(ends.size()), VertexId(ends.size() + 1)});
-    ends.push_back(lines[i].line.a);
-    ends.push_back(lines[i].line.b);
-    line_of.push_back(i);
-  }
-  if (edges.empty()) return;
-  const diagnose_steps::EdgeTree tree(edges, ends);
-  const EndPoints points(lines);
-  std::vector<std::size_t> near;
-  for (std::size_t first = 0; first < points.ends.size();) {
-    const PointD p = points.ends[first].first;
-    near.clear();
-    tree.visit(p, reach, [&](EdgeId e, const auto& /*foot*/) { near.push_back(line_of[e]); });
-    for (; first < points.ends.size() && points.ends[first].first == p; ++first) {
-      for (const std::size_t j : near) {
-        if (points.ends[first].second != j) visit(points.ends[first].second, j);
-      }
+    for (const PointD& end : {lines[i].line.a, lines[i].line.b}) {
+      ends.push_back(end);
+      lines_at.emplace_back(end, i);
     }
   }
-  if (line_of.size() == lines.size()) return;
-  std::vector<BoxD> boxes;
-  for (const PointD& end : ends) boxes.push_back(grown({end, end}, reach));
-  const BoxTree new_ends(boxes);
-  for (std::size_t j = 0; j < lines.size(); ++j) {
-    if (lines[j].is_new) continue;
-    for (const std::size_t k : new_ends.meeting(lines[j].line)) visit(line_of[k / 2], j);
+  std::ranges::sort(lines_at, [](const auto& p, const auto& q) {
+    return p.first == q.first ? p.second < q.second : p.first < q.first;
+  });
+  const diagnose_steps::EdgeTree tree(edges, ends);
+  std::vector<std::size_t> near;
+  for (auto at = lines_at.begin(); at != lines_at.end();) {
+    const PointD p = at->first;
+    near.clear();
+    tree.visit(p, reach, [&](EdgeId e, const auto& /*foot*/) { near.push_back(some[e]); });
+    for (; at != lines_at.end() && at->first == p; ++at) {
+      const std::size_t i = at->second;
+      for (const std::size_t j : near) {
+        if (i != j && (lines[i].is_new || lines[j].is_new)) visit(i, j);
+      }
+    }
   }
 }
 
