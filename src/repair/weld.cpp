@@ -52,11 +52,9 @@ class Welding {
   std::vector<Rational> squared_offsets() {
     choose();
     std::vector<Rational> result;
-    for (std::size_t i = 0; i < onto_.size(); ++i) {
-      const Carrier& c = carrier(onto_[i]);
-      if (onto_[i] == i) continue;
-      result.push_back(
-          std::max(squared_distance_from(c, carrier(i).a), squared_distance_from(c, carrier(i).b)));
+    for (const auto& [d, c] : onto_) {
+      result.push_back(std::max(squared_distance_from(carrier(c), carrier(d).a),
+                                squared_distance_from(carrier(c), carrier(d).b)));
     }
     return result;
   }
