@@ -246,9 +246,13 @@ TEST_CASE("the log of a repair is read back as what it changed, and undoes it") 
   CHECK(holds(log, R"("squared_size": {)"));
   CHECK(holds(log, R"("exact": "0.0004",)"));
   std::ofstream("plan.log.json") << log;
-  const std::vector<NetChange> changes = read_repair_log("plan.log.json");
-  CHECK(changes == net_changes(input, repair));
-  CHECK(undo(repair.output, changes).segments.size() == input.segments.size());
+  const RepairLog read = read_repair_log("plan.log.json");
+  CHECK(read.changes == net_changes(input, repair));
+  CHECK(undo(repair.output, read).segments.size() == input.segments.size());
+  CHECK_THROWS_AS(undo(input, read), Error);  // not the drawing that was made
+  RepairLog forged = read;
+  forged.changes.front().before.front().segment.a.x += 1;
+  CHECK_THROWS_AS(undo(repair.output, forged), Error);
 }
 
 TEST_CASE("what is no log is refused with its place") {
@@ -264,7 +268,9 @@ TEST_CASE("what is no log is refused with its place") {
   };
   CHECK(holds(refusal("[]"), "bad.log.json:1:1: not a log of a repair"));
   CHECK(holds(refusal(R"({"format": "plumbline rooms 1"})"), "not a log of `plumbline repair`"));
-  const std::string head = R"({"format": "plumbline repair 1", "files": ["a"], "changes": )";
+  const std::string head =
+      R"({"format": "plumbline repair 1", "files": ["a"], "input_signature": "", )"
+      R"("output_signature": "", "changes": )";
   CHECK(refusal(head + "[]}") == "taken");
   CHECK(holds(refusal(head + "[{}]}"), "no member \"before\""));
   CHECK(holds(

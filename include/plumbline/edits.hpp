@@ -164,6 +164,10 @@ struct NetChange {
 /// Order: by the first segment of the input; virtual lines last.
 std::vector<NetChange> net_changes(const SegmentSet& input, const Repair& repair);
 
+/// The signature of the arrangement of the segments with their ends rounded to doubles: by it a
+/// drawing is known in every format. Cost: that of `arrange`.
+std::string rounded_signature(const SegmentSet& drawing);
+
 /// The input again: what the changes say became of its segments is taken away from the output, and
 /// these are put back, behind all that stays. Segments of the output are known by the nearest
 /// doubles of their ends, in either direction, so the output may have been written with rounded

@@ -70,9 +70,17 @@ PatchedFile patched_file(const std::filesystem::path& file, std::string_view for
                          const ReadOptions& options, const SegmentSet& input,
                          const SegmentSet& output);
 
-/// What the log of a repair, as `to_json` writes it, says was changed: for `undo`. Throws: Error
-/// BadFile; BadInput, with its place, for what is no such log.
-std::vector<NetChange> read_repair_log(const std::filesystem::path& file);
+/// What the log of a repair, as `to_json` writes it, says was changed, and of which drawing: for
+/// `undo`.
+struct RepairLog {
+  std::vector<NetChange> changes;
+  std::string input_signature, output_signature;  ///< `rounded_signature`
+};
+/// Throws: Error BadFile; BadInput, with its place, for what is no such log.
+RepairLog read_repair_log(const std::filesystem::path& file);
+/// The drawing that was repaired, of the repaired one. Throws: Error BadInput where that is not the
+/// one of the log, or the log does not lead back to the other one; as `undo`.
+SegmentSet undo(const SegmentSet& output, const RepairLog& log);
 
 /// What a rule makes of a drawing.
 struct RuleOutcome {

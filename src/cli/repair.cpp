@@ -119,9 +119,10 @@ SegmentSet drawing_of(const RepairArguments& arguments) {
 
 /// Writes what the repaired drawing was made of.
 ExitCode run_undo(const RepairArguments& arguments, const Output& output, Report& report) {
-  const std::vector<NetChange> changes = read_repair_log(*arguments.undo);
+  const RepairLog log = read_repair_log(*arguments.undo);
+  const std::vector<NetChange>& changes = log.changes;
   const SegmentSet repaired = drawing_of(arguments);
-  const SegmentSet original = undo(repaired, changes);
+  const SegmentSet original = undo(repaired, log);
   std::size_t before = 0, after = 0;
   for (const NetChange& change : changes) {
     before += change.before.size();

@@ -163,4 +163,15 @@ SegmentSet undo(const SegmentSet& output, const std::vector<NetChange>& changes)
   return result;
 }
 
+std::string rounded_signature(const SegmentSet& drawing) {
+  SegmentSet rounded;
+  const SourceId source = rounded.add_source({});
+  for (std::size_t s = 0; s < drawing.segments.size(); ++s) {
+    const auto n = drawing.segments.numbers(s);
+    const SegmentD segment{nearest(NumberPoint{n[0], n[1]}), nearest(NumberPoint{n[2], n[3]})};
+    if (!(segment.a == segment.b)) rounded.add(segment.a, segment.b, source);
+  }
+  return signature(arrange(rounded));
+}
+
 }  // namespace plumbline

@@ -7,7 +7,10 @@
 namespace plumbline {
 
 void AuthoredUnit::add(const Number& number, double scale) {
-  if (!number.is_decimal() || is_long(number)) return;
+  if (!number.is_decimal() || is_long(number)) {
+    ++long_;
+    return;
+  }
   if (last_ == nullptr || last_scale_ != scale) {
     last_ = &by_scale_[scale];
     last_scale_ = scale;
@@ -25,7 +28,7 @@ double AuthoredUnit::unit() const {
     most = &decimals;
     scale = factor;
   }
-  if (most == nullptr) return 0;
+  if (most == nullptr || most->all < long_) return 0;
   constexpr std::size_t kPart = 100;
   const auto is_used = [&](int digits) {
     const auto i = static_cast<std::size_t>(digits);

@@ -10,8 +10,8 @@ namespace plumbline {
 
 /// Counts the decimals of numbers to tell the unit in which a drawing was made: what the last
 /// decimal is worth that one in a hundred numbers has, of those that are scaled alike, as most are.
-/// Long numbers, which programs print, tell nothing; decimals that are 5 where they are the last
-/// one come of halving and do not count.
+/// Long numbers, which programs print, tell nothing, nor do the others where most are long;
+/// decimals that are 5 where they are the last one come of halving and do not count.
 class AuthoredUnit {
  public:
   AuthoredUnit() = default;
@@ -30,6 +30,7 @@ class AuthoredUnit {
     std::array<std::size_t, Number::kMaxDigits + 1> count{}, halves{};
   };
   std::map<double, Decimals> by_scale_;
+  std::size_t long_ = 0;
   double last_scale_ = 0;
   Decimals* last_ = nullptr;  ///< of that scale; few follow one another with different ones
 };

@@ -52,7 +52,7 @@ SourcedSegment sourced(const JsonValue& value, const std::vector<std::string>& f
 
 }  // namespace
 
-std::vector<NetChange> read_repair_log(const std::filesystem::path& file) {
+RepairLog read_repair_log(const std::filesystem::path& file) {
   const InputFile input(file);
   ByteStream bytes = input.stream();
   const JsonTree tree(bytes);
@@ -65,10 +65,12 @@ std::vector<NetChange> read_repair_log(const std::filesystem::path& file) {
   std::vector<std::string> files;
   const JsonValue names = list(root, "files");
   for (JsonValue name = names.first(); name; name = name.next()) files.push_back(string_of(name));
-  std::vector<NetChange> changes;
+  RepairLog log;
+  log.input_signature = string_of(member(root, "input_signature"));
+  log.output_signature = string_of(member(root, "output_signature"));
   const JsonValue all = list(root, "changes");
   for (JsonValue value = all.first(); value; value = value.next()) {
-    NetChange& change = changes.emplace_back();
+    NetChange& change = log.changes.emplace_back();
     const JsonValue before = list(value, "before"), after = list(value, "after");
     for (JsonValue line = before.first(); line; line = line.next()) {
       change.before.push_back(sourced(line, files));
@@ -77,7 +79,18 @@ std::vector<NetChange> read_repair_log(const std::filesystem::path& file) {
       change.after.push_back(segment(line));
     }
   }
-  return changes;
+  return log;
+}
+
+SegmentSet undo(const SegmentSet& output, const RepairLog& log) {
+  if (rounded_signature(output) != log.output_signature) {
+    throw Error(ErrorCode::BadInput, "this is not the drawing that the repair of the log made");
+  }
+  SegmentSet input = undo(output, log.changes);
+  if (rounded_signature(input) != log.input_signature) {
+    throw Error(ErrorCode::BadInput, "the log does not lead back to the drawing that it is of");
+  }
+  return input;
 }
 
 }  // namespace plumbline

@@ -14,6 +14,7 @@ namespace {
 std::set<Point> touched(const std::vector<Edit>& edits, std::size_t first_edit) {
   std::set<Point> result;
   for (std::size_t i = first_edit; i < edits.size(); ++i) {
+    if (edits[i].kind == EditKind::Merge) continue;  // which takes nothing away
     result.insert(edits[i].where);
     for (const auto* lines : {&edits[i].before, &edits[i].after}) {
       for (const Line& line : *lines) {

@@ -76,6 +76,7 @@ class Simplifying {
                   second,
                   {std::min(a, b), std::max(a, b), united(line, other).segments},
                   squared_distance(p, a, b)};
+    if (corner.squared_size > squared_distance_) return std::nullopt;
     for (const SegmentId s : corner.line.segments) {
       const Segment authored = work_.input().segments[s];
       for (const Point& end : {authored.a, authored.b}) {
@@ -83,8 +84,11 @@ class Simplifying {
         corner.squared_size = std::max(corner.squared_size, squared_distance(end, a, b));
       }
     }
-    if (corner.squared_size > squared_distance_) return std::nullopt;
-    return corner;
+    if (corner.squared_size <= squared_distance_) return corner;
+    work_.refuse(EditKind::Simplify, p, std::move(corner.squared_size),
+                 "lines would go further in all from where they were drawn than they may",
+                 {first, second});
+    return std::nullopt;
   }
 
   /// Whether the foot of p lies between a and b.

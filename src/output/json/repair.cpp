@@ -73,6 +73,8 @@ std::string to_json(const Repair& repair, const SegmentSet& input) {
   const std::vector<NetChange> changes = net_changes(input, repair);
   return document(object(
       member("format", "plumbline repair 1"), member("exact", input.ledger.empty()),
+      member("input_signature", rounded_signature(input)),
+      member("output_signature", rounded_signature(repair.output)),
       member("tolerances", tolerances(repair.tolerances)), member("reasons", repair.reasons),
       member("edits", list(repair.edits.size(), edit_at)),
       member("refused", list(repair.refused, refused)), member("faces", list(repair.faces, face)),
