@@ -34,7 +34,7 @@ expect "a .lines file is written" 0 'wrote fixed.lines' "$plumbline" repair corn
 expect "which is repaired" 0 '0,0,10,0' cat fixed.lines
 expect "the log undoes it" 0 '2 changes undone' "$plumbline" repair fixed.lines --undo log.json -o undone.lines
 expect "exactly" 0 '' same corner.lines undone.lines
-expect "the wrong drawing is not undone" 2 'segment that the repair made 0 times' "$plumbline" repair corner.lines --undo log.json -o no.lines
+expect "the wrong drawing is not undone" 2 'not the drawing that the repair of the log made' "$plumbline" repair corner.lines --undo log.json -o no.lines
 expect "what is no log is refused" 2 'corner.lines:1' "$plumbline" repair fixed.lines --undo corner.lines -o no.lines
 expect "nor is another JSON one" 2 'not a log of .plumbline repair.' "$plumbline" repair fixed.lines --undo <(echo '{"format": "plumbline rooms 1"}') -o no.lines
 printf '0,0,3,0.0001\n1,1,2,-0.99\n0,5,2,5\n2,1/3,2,5.001\n' >thirds.lines

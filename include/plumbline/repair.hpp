@@ -17,6 +17,7 @@ struct RepairOptions {
   /// Whether a side that two closed shapes have in common stays drawn by both; else it becomes one
   /// line, as everything that is drawn twice.
   bool keeps_common_sides = true;
+  bool keeps_layers = true;          ///< whether what two layers draw stays drawn by both
   std::vector<std::string> walls;    ///< layers whose lines have doors and block them; none: all
   std::vector<std::string> anchors;  ///< layers that no edit touches and to which others go
   std::vector<std::string> except;   ///< ids of elements that no edit touches

@@ -112,6 +112,13 @@ bool keeps_shapes(const RepairArguments& arguments, const Output& output) {
   return (format == "dxf" || format == "svg") && matches_pattern(ending, "." + std::string(format));
 }
 
+/// Whether what is written has layers that are read again.
+bool keeps_layers(const Output& output) {
+  if (!output.file) return true;
+  const std::string_view format = format_of(output);
+  return format != "lines" && format != "wkt" && format != "wkb" && format != "csv";
+}
+
 SegmentSet drawing_of(const RepairArguments& arguments) {
   const Progress progress("reading " + arguments.file, arguments);
   return evaluate(read(arguments.file, arguments.reading), limits_of(arguments));
@@ -154,6 +161,7 @@ ExitCode run(const RepairArguments& arguments, Report& report) {
     const Progress progress(fmt::format("repairing {} segments", input.segments.size()), arguments);
     RepairOptions options = arguments.repair;
     options.keeps_common_sides = keeps_shapes(arguments, output);
+    options.keeps_layers = keeps_layers(output);
     return repair(input, options);
   }();
   set_input(report, input);

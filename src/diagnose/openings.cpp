@@ -70,10 +70,28 @@ class Openings {
     return product * product <= squared_slack_ * dot(u, u);
   }
 
+  /// How far one gets from v along e straight on, squared.
+  Rational squared_run(VertexId v, EdgeId e) const {
+    VertexId last = graph_.other_end(e, v);
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (const EdgeId next : graph_.edges(last)) {
+        const VertexId w = graph_.other_end(next, last);
+        const Vector on = from_to(at(last), at(w)), run = from_to(at(v), at(last));
+        if (next == e || sgn(dot(run, on)) <= 0 || sgn(cross(run, on)) != 0) continue;
+        e = next;
+        last = w;
+        goes_on = true;
+        break;
+      }
+    }
+    return squared_distance(at(v), at(last));
+  }
+
   /// A line that ends there, longer than the least opening.
   void add_tip(VertexId v) {
     const EdgeId e = graph_.edges(v)[0];
-    if (graph_.squared_length(e) < squared_least_) return;
+    if (squared_run(v, e) < squared_least_) return;
     jambs_.push_back({e, v, v, from_to(at(graph_.other_end(e, v)), at(v))});
   }
 
@@ -84,7 +102,7 @@ class Openings {
     const Edge& edge = complex_.edges[e];
     if (graph_.degree(edge.tail) != 2 || graph_.degree(edge.head) != 2) return;
     const EdgeId f = graph_.next(e, edge.tail), g = graph_.next(e, edge.head);
-    if (std::min(graph_.approx_length(f), graph_.approx_length(g)) <
+    if (std::min(nearest_sqrt(squared_run(edge.tail, f)), nearest_sqrt(squared_run(edge.head, g))) <
         graph_.approx_length(e) * (1 - 0x1p-40)) {
       return;
     }

@@ -7,7 +7,7 @@
 #include "repair/steps.hpp"
 
 namespace plumbline::repair_steps {
-void merge(Work& work, const Arranged& arranged, bool keeps_common_sides) {
+void merge(Work& work, const Arranged& arranged, bool keeps_common_sides, bool keeps_layers) {
   const Lists<SegmentId>& sources = arranged.complex.edge_sources;
   UnionFind sets(arranged.line_of.size());
   std::optional<std::vector<diagnose_steps::SideOf>> sides;
@@ -23,6 +23,7 @@ void merge(Work& work, const Arranged& arranged, bool keeps_common_sides) {
         if (sets.find(p) == sets.find(q) || are_neighbours((*sides)[p], (*sides)[q])) continue;
         if (work.is_anchored(arranged.line_of[p]) || work.is_anchored(arranged.line_of[q]))
           continue;
+        if (keeps_layers && !work.is_same_layer(arranged.line_of[p], arranged.line_of[q])) continue;
         sets.unite(p, q);
         found = true;
       }

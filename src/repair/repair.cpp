@@ -31,7 +31,7 @@ class Repairing {
     if (!settle()) return {{"there is no end of edits", work_.edits().back().where, {}}};
     if (sgn(result_.tolerances.grow) > 0) refuse_open_ends(work_, now_, result_.tolerances.grow);
     work_.write(result_);
-    if (!is_as_arranged_) now_ = arranged(work_);
+    arrange_merged();
     result_.faces = face_outcomes(work_.input(), before_, result_, now_.complex);
     return verify(work_.input(), before_, result_, now_.complex);
   }
@@ -58,7 +58,10 @@ class Repairing {
     merge_lines();
     if (is_first) tolerances.weld = options_.weld ? *options_.weld : choice_.weld(work_, now_);
     if (sgn(tolerances.weld) > 0) weld_lines(tolerances.weld);
-    if (sgn(tolerances.snap) > 0) snap(work_, now_, tolerances.snap);
+    if (sgn(tolerances.snap) > 0) {
+      arrange_merged();
+      snap(work_, now_, tolerances.snap);
+    }
     look_anew();
     if (is_first) tolerances.grow = options_.grow ? *options_.grow : choice_.grow(work_, now_);
     if (sgn(tolerances.grow) > 0) {
@@ -77,9 +80,16 @@ class Repairing {
       repeat([&] { give_slivers(work_, now_, tolerances.sliver); });
     }
     if (sgn(tolerances.simplify) > 0) {
+      arrange_merged();
       repeat([&] { simplify(work_, now_, tolerances.simplify); });
     }
     dissolve(work_, first_edit);
+  }
+
+  /// Without the vertices where merged lines ended.
+  void arrange_merged() {
+    if (!is_as_arranged_) now_ = arranged(work_);
+    is_as_arranged_ = true;
   }
 
   /// Until it finds nothing to do, which is sure to be: each time something goes.
@@ -94,7 +104,7 @@ class Repairing {
 
   void merge_lines() {
     const std::size_t edits = work_.edits().size();
-    merge(work_, now_, options_.keeps_common_sides);
+    merge(work_, now_, options_.keeps_common_sides, options_.keeps_layers);
     if (work_.edits().size() == edits) return;
     rename_lines(now_, work_);
     looked_at_ = work_.edits().size();

@@ -12,9 +12,9 @@ namespace plumbline::repair_steps {
 /// The segments on layers of anchors and of excepted elements, ascending. Throws: Error BadInput
 /// for a layer or an id that there is not.
 std::vector<SegmentId> anchored_segments(const SegmentSet& input, const RepairOptions& options);
-/// Lines that share more than a point become one, but for common sides of neighbouring shapes where
-/// these are kept.
-void merge(Work& work, const Arranged& arranged, bool keeps_common_sides);
+/// Lines that share more than a point become one, but for common sides of neighbouring shapes, and
+/// lines of different layers, where these are kept.
+void merge(Work& work, const Arranged& arranged, bool keeps_common_sides, bool keeps_layers);
 /// Lines that hang together on one straight line go onto a stronger such line beside them, with all
 /// that meets them. Only what has a line from `first_new` on is looked at: that of the others
 /// nothing goes onto another one is known.

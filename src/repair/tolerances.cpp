@@ -22,6 +22,8 @@ constexpr double kClearRatio = 4;
 constexpr double kSearchedPart = 50;
 /// Nor are they longer than this part of an ordinary line.
 constexpr double kPartOfLine = 16;
+/// Nor, where the unit is known, than so many of it.
+constexpr double kMostUnits = 8;
 /// A unit larger than this part of the drawing is none: its numbers are round.
 constexpr double kUnitPart = 2000;
 /// Rounding of doubles, of the largest coordinate.
@@ -49,7 +51,8 @@ Rational rounded_up(double value) {
 std::string shown(double value) { return fmt::format("{:.3g}", value); }
 
 /// A loose end that would run on belongs to something larger than its way.
-std::vector<Size> growth_sizes(const Work& work, const Arranged& arranged, const Rational& most) {
+std::vector<Size> growth_sizes(const Work& work, const Arranged& arranged, const Rational& most,
+                               double least) {
   const diagnose_steps::LineGraph graph(arranged.complex);
   const auto reach_of = [&](const Tip& tip) {
     const diagnose_steps::Chain chain = graph.chain(tip.vertex, graph.edges(tip.vertex).front());
@@ -67,7 +70,8 @@ std::vector<Size> growth_sizes(const Work& work, const Arranged& arranged, const
     const double size = nearest_sqrt(growth.squared_length);
     double reach = reach_of(growth.tip);
     if (growth.other) reach = std::min(reach, reach_of(*growth.other));
-    sizes.push_back({size, reach >= kClearRatio * size});
+    // What is no longer than the unit is short of it by rounding, however small it is itself.
+    sizes.push_back({size, size <= least * (1 + 0x1p-30) || reach >= kClearRatio * size});
   }
   return sizes;
 }
@@ -114,7 +118,10 @@ Rational Choice::choose(Ladder ladder) {
     return p.size != q.size ? p.size < q.size : p.is_accident < q.is_accident;
   });
   std::size_t sure = 0;  // no larger than the unit
-  while (sure < sizes.size() && sizes[sure].size <= least_ * (1 + 0x1p-30)) ++sure;
+  while (sure < sizes.size() && sizes[sure].size <= least_ * (1 + 0x1p-30) &&
+         sizes[sure].is_accident) {
+    ++sure;
+  }
   std::size_t best = sure;  // how many are repaired
   double widest = kClearRatio;
   std::vector<double> possible;
@@ -141,7 +148,10 @@ Rational Choice::choose(Ladder ladder) {
     return 0;
   }
   const double largest = sizes[best - 1].size;
-  const Rational value = rounded_up(std::max(largest, best > sure ? 0 : least_));
+  // Below the next size, which may be a detail as small as the unit.
+  const bool is_unit_free = best == sizes.size() || sizes[best].size > least_ * (1 + 0x1p-30);
+  const Rational value =
+      rounded_up(is_unit_free && best == sure ? std::max(largest, least_) : largest);
   const std::string next = best < sizes.size() ? "the next one is " + shown(sizes[best].size)
                                                : "none other is up to " + shown(ladder.searched);
   say(fmt::format("{}: {} of up to {}{}; {}", exact_text(value), best, shown(largest),
@@ -149,15 +159,15 @@ Rational Choice::choose(Ladder ladder) {
   return value;
 }
 
-/// What moves or removes walls goes up to the unit, and with a clear gap up to two of them: what is
-/// wider may be a wall.
+/// What moves or removes walls goes up to the unit: what is wider may be a wall.
 Choice::Ladder Choice::narrow_ladder(const char* name) const {
-  return {name, {}, 8 * least_, 2 * least_};
+  return {name, {}, kMostUnits * least_, least_};
 }
 
 Choice::Ladder Choice::wide_ladder(const char* name) const {
   const double searched = extent_ / kSearchedPart;
-  return {name, {}, searched, std::min(searched / kClearRatio, line_ / kPartOfLine)};
+  const double most = std::min(searched / kClearRatio, line_ / kPartOfLine);
+  return {name, {}, searched, unit_ > 0 ? std::min(most, kMostUnits * unit_) : most};
 }
 
 Rational Choice::weld(Work& work, const Arranged& arranged) {
@@ -168,7 +178,7 @@ Rational Choice::weld(Work& work, const Arranged& arranged) {
 
 Rational Choice::grow(const Work& work, const Arranged& arranged) {
   Ladder ladder = wide_ladder("grow");
-  ladder.sizes = growth_sizes(work, arranged, rational_from(ladder.searched));
+  ladder.sizes = growth_sizes(work, arranged, rational_from(ladder.searched), least_);
   return choose(std::move(ladder));
 }
 
