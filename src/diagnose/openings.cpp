@@ -88,10 +88,11 @@ class Openings {
     return squared_distance(at(v), at(last));
   }
 
-  /// A line that ends there, longer than the least opening.
+  /// A line that ends there, and is no mere stub beside the least opening.
   void add_tip(VertexId v) {
     const EdgeId e = graph_.edges(v)[0];
-    if (squared_run(v, e) < squared_least_) return;
+    constexpr int kStub = 8;
+    if (squared_run(v, e) * kStub * kStub < squared_least_) return;
     jambs_.push_back({e, v, v, from_to(at(graph_.other_end(e, v)), at(v))});
   }
 
