@@ -31,10 +31,12 @@ namespace {
 /// Calls work(), whose parallel loops then use that many threads.
 template <class Work>
 auto on_threads(std::size_t threads, Work work) {
-  if (threads == 1) return work();
+  const auto usual = static_cast<std::size_t>(tbb::info::default_concurrency());
+  // Arenas of its own for each of many calls slow TBB down, more with each one.
+  if (threads == 1 || threads == usual) return work();
   // Without this, TBB warns and starts no more threads than there are cores.
   std::optional<tbb::global_control> more;
-  if (threads > static_cast<std::size_t>(tbb::info::default_concurrency())) {
+  if (threads > usual) {
     more.emplace(tbb::global_control::max_allowed_parallelism, threads);
   }
   return tbb::task_arena(static_cast<int>(threads)).execute(work);
