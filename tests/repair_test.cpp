@@ -181,6 +181,20 @@ TEST_CASE("order, direction and repetition of segments do not change what a repa
   }
 }
 
+TEST_CASE("a vertex between two lines stays where one of them is given twice") {
+  const SegmentSet twice = segments("0 0 1 0  1 0 2 0  1 0 2 0");
+  const Repair merged = repair(twice, within("0", "0", "0"));
+  CHECK(signature_of(merged.output) == signature_of(segments("0 0 1 0  1 0 2 0")));
+}
+
+TEST_CASE("a vertex between two lines goes where one of them is merged with its part") {
+  RepairOptions options = within("0", "0", "0");
+  options.simplify = number("0.04");
+  const Repair simpler = repair(segments("0 0 1 1  1 1 3 3  1 1 2 2"), options);
+  CHECK(signature_of(simpler.output) == signature_of(segments("0 0 3 3")));
+  CHECK(repair(simpler.output, options).edits.empty());
+}
+
 TEST_CASE("a comb is left alone, and snapped by force it does not fall into one point") {
   std::string text = "0 0 0.0099 0  0 0.05 0.0099 0.05  ";
   for (int k = 0; k < 12; ++k) {
