@@ -159,23 +159,36 @@ class Welding {
   }
 
   /// Where the strongest carrier through v meets the next strong one, no further away than twice
-  /// the distance; else its foot.
-  Point image(const Point& v, const std::vector<std::size_t>& carriers) {
-    if (is_anchored_end(v, carriers)) return v;
+  /// the distance; else its foot. What is anchored stays as it is.
+  Point image(const Point& v, std::vector<std::size_t> carriers) {
+    const auto anchored = std::ranges::stable_partition(
+        carriers, [&](std::size_t c) { return carrier(c).is_anchored && has(c, v); });
+    const std::size_t anchors = carriers.size() - anchored.size();
+    if (anchors > 1 || (anchors == 1 && is_anchored_end(v, carriers.front()))) return v;
     const Carrier& first = carrier(carriers.front());
     for (std::size_t i = 1; i < carriers.size(); ++i) {
       const std::optional<Point> p = meeting(first, carrier(carriers[i]));
-      if (p && squared_distance(*p, v) <= 4 * squared_distance_) return *p;
+      if (p && squared_distance(*p, v) <= 4 * squared_distance_ &&
+          (anchors == 0 || stays_on_anchored(carriers.front(), v, *p))) {
+        return *p;
+      }
     }
-    return foot(first, v);
+    return anchors == 0 ? foot(first, v) : v;
   }
-
-  bool is_anchored_end(const Point& v, const std::vector<std::size_t>& carriers) {
-    return std::ranges::any_of(carriers, [&](std::size_t c) {
-      return carrier(c).is_anchored && std::ranges::any_of(carrier(c).lines, [&](LineId id) {
-               const Line line = work_.line(id);
-               return work_.is_anchored(id) && (line.a == v || line.b == v);
-             });
+  /// Whether p is on all anchored lines of a carrier that have v.
+  bool stays_on_anchored(std::size_t c, const Point& v, const Point& p) {
+    return std::ranges::all_of(carrier(c).lines, [&](LineId id) {
+      const Line line = work_.line(id);
+      return !work_.is_anchored(id) || !on_segment(line.a, line.b, v) ||
+             on_segment(line.a, line.b, p);
+    });
+  }
+  bool has(std::size_t c, const Point& p) { return on_segment(carrier(c).a, carrier(c).b, p); }
+  /// Whether an anchored line ends there.
+  bool is_anchored_end(const Point& p, std::size_t c) {
+    return std::ranges::any_of(carrier(c).lines, [&](LineId id) {
+      const Line line = work_.line(id);
+      return work_.is_anchored(id) && (line.a == p || line.b == p);
     });
   }
 
@@ -213,8 +226,11 @@ class Welding {
       path.push_back(to);
     }
     const Line line = work_.line(id);
+    const bool stays =
+        path.front() == line.a && path.back() == line.b &&
+        std::ranges::all_of(path, [&](const Point& p) { return on_segment(line.a, line.b, p); });
+    if (stays) return;
     std::vector<Line> after = lines_along(path, line.segments);
-    if (after.size() == 1 && after.front() == line) return;
     work_.apply(EditKind::Weld, line.a, squared_size, {id}, std::move(after));
   }
 
