@@ -22,8 +22,10 @@ constexpr double kClearRatio = 4;
 constexpr double kSearchedPart = 50;
 /// Nor are they longer than this part of an ordinary line.
 constexpr double kPartOfLine = 16;
-/// Nor, where the unit is known, than so many of it.
-constexpr double kMostUnits = 8;
+/// Accidents above the unit are of a kind: the largest is no more than so many times the smallest.
+constexpr double kMostSpread = 8;
+/// Narrow things are looked at up to so many units.
+constexpr double kSearchedUnits = 8;
 /// A unit larger than this part of the drawing is none: its numbers are round.
 constexpr double kUnitPart = 2000;
 /// Rounding of doubles, of the largest coordinate.
@@ -126,7 +128,10 @@ Rational Choice::choose(Ladder ladder) {
   double widest = kClearRatio;
   std::vector<double> possible;
   for (std::size_t i = sure; i < sizes.size(); ++i) {
-    if (!sizes[i].is_accident || sizes[i].size > ladder.most) break;
+    if (!sizes[i].is_accident || sizes[i].size > ladder.most ||
+        sizes[i].size > kMostSpread * sizes[sure].size) {
+      break;
+    }
     const double next = i + 1 < sizes.size() ? sizes[i + 1].size : ladder.searched;
     if (next / sizes[i].size > 1.5) possible.push_back(sizes[i].size);
     if (next < widest * sizes[i].size) continue;
@@ -161,13 +166,12 @@ Rational Choice::choose(Ladder ladder) {
 
 /// What moves or removes walls goes up to the unit: what is wider may be a wall.
 Choice::Ladder Choice::narrow_ladder(const char* name) const {
-  return {name, {}, kMostUnits * least_, least_};
+  return {name, {}, kSearchedUnits * least_, least_};
 }
 
 Choice::Ladder Choice::wide_ladder(const char* name) const {
   const double searched = extent_ / kSearchedPart;
-  const double most = std::min(searched / kClearRatio, line_ / kPartOfLine);
-  return {name, {}, searched, unit_ > 0 ? std::min(most, kMostUnits * unit_) : most};
+  return {name, {}, searched, std::min(searched / kClearRatio, line_ / kPartOfLine)};
 }
 
 Rational Choice::weld(Work& work, const Arranged& arranged) {
