@@ -122,6 +122,7 @@ class Race {
 
   void collect_arrivals() {
     is_drawn_.assign(complex_.vertices.size(), 0);
+    std::vector<std::vector<VertexId>> on_track(tips_.size());  // ascending, without the tip
     for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
       const Edge edge = complex_.edges[e];
       const auto sources = complex_.edge_sources[e];
@@ -130,7 +131,17 @@ class Race {
         if (s < first_track_) continue;
         const std::size_t runner = s - first_track_;
         // Edges of a track that runs to the right are met at their heads.
-        add_arrival(runner, is_forward(tips_[runner].direction) ? edge.head : edge.tail);
+        on_track[runner].push_back(is_forward(tips_[runner].direction) ? edge.head : edge.tail);
+      }
+    }
+    for (std::size_t runner = 0; runner < tips_.size(); ++runner) {
+      std::vector<VertexId>& vertices = on_track[runner];
+      if (!is_forward(tips_[runner].direction)) std::ranges::reverse(vertices);
+      for (const VertexId v : vertices) {
+        Rational time = squared_distance(tips_[runner].point, complex_.vertices[v]);
+        if (time > squared_reach_) break;
+        arrivals_.push_back({std::move(time), v, runner});
+        if (is_drawn_[v] != 0) break;  // nobody runs on there
       }
     }
     std::ranges::sort(arrivals_, [](const Arrival& p, const Arrival& q) {
@@ -138,11 +149,6 @@ class Race {
       if (by_time != 0) return by_time < 0;
       return std::tie(p.vertex, p.runner) < std::tie(q.vertex, q.runner);
     });
-  }
-
-  void add_arrival(std::size_t runner, VertexId v) {
-    Rational time = squared_distance(tips_[runner].point, complex_.vertices[v]);
-    if (time <= squared_reach_) arrivals_.push_back({std::move(time), v, runner});
   }
 
   const std::vector<Tip>& tips_;
