@@ -55,8 +55,7 @@ std::vector<std::size_t> EditLines::that_changed(const Segment& s, bool is_drawn
     if (piece.is_drawn == is_drawn && covers(piece.segment, s)) result.push_back(piece.edit);
   }
   std::ranges::sort(result);
-  const auto repeated = std::ranges::unique(result);
-  result.erase(repeated.begin(), repeated.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/union_find.hpp"
+#include "plumbline/arrange.hpp"
 #include "plumbline/edits.hpp"
 #include "plumbline/error.hpp"
 

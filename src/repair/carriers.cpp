@@ -210,8 +210,7 @@ std::vector<std::pair<std::size_t, std::size_t>> side_by_side(const Work& work,
     }
   });
   std::ranges::sort(result);
-  const auto repeated = std::ranges::unique(result);
-  result.erase(repeated.begin(), repeated.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 

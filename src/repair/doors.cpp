@@ -56,7 +56,7 @@ std::vector<char> parting(const ExactComplex& complex, std::size_t first_line,
   std::vector<char> result;
   for (std::size_t i = 0; i < closings.size(); ++i) {
     std::ranges::sort(sides[i]);
-    sides[i].erase(std::ranges::unique(sides[i]).begin(), sides[i].end());
+    sides[i].erase(std::unique(sides[i].begin(), sides[i].end()), sides[i].end());
     result.push_back(sides[i].size() > closings[i].lines.size() ? 1 : 0);
   }
   return result;

@@ -81,7 +81,7 @@ class Welding {
       for (bool again = true; again;) {
         again = false;
         std::ranges::sort(near);
-        near.erase(std::ranges::unique(near).begin(), near.end());
+        near.erase(std::unique(near.begin(), near.end()), near.end());
         const std::vector<std::size_t> tried = near;
         for (const std::size_t d : tried) {
           if (settled.contains(d) || !fits(carrier(c), carrier(d), covered)) continue;
@@ -153,7 +153,7 @@ class Welding {
       std::ranges::sort(carriers, [&](std::size_t i, std::size_t j) {
         return is_stronger(carrier(i), carrier(j));
       });
-      carriers.erase(std::ranges::unique(carriers).begin(), carriers.end());
+      carriers.erase(std::unique(carriers.begin(), carriers.end()), carriers.end());
       image_.emplace(v, image(complex_.vertices[v], carriers));
     }
   }
@@ -161,9 +161,10 @@ class Welding {
   /// Where the strongest carrier through v meets the next strong one, no further away than twice
   /// the distance; else its foot. What is anchored stays as it is.
   Point image(const Point& v, std::vector<std::size_t> carriers) {
-    const auto anchored = std::ranges::stable_partition(
-        carriers, [&](std::size_t c) { return carrier(c).is_anchored && has(c, v); });
-    const std::size_t anchors = carriers.size() - anchored.size();
+    const auto others = std::stable_partition(carriers.begin(), carriers.end(), [&](std::size_t c) {
+      return carrier(c).is_anchored && has(c, v);
+    });
+    const auto anchors = static_cast<std::size_t>(others - carriers.begin());
     if (anchors > 1 || (anchors == 1 && is_anchored_end(v, carriers.front()))) return v;
     const Carrier& first = carrier(carriers.front());
     for (std::size_t i = 1; i < carriers.size(); ++i) {

@@ -121,8 +121,8 @@ void Work::refuse(EditKind kind, Point where, Rational squared_size, std::string
     refusal.segments.insert(refusal.segments.end(), segments.begin(), segments.end());
   }
   std::ranges::sort(refusal.segments);
-  const auto repeated = std::ranges::unique(refusal.segments);
-  refusal.segments.erase(repeated.begin(), repeated.end());
+  refusal.segments.erase(std::unique(refusal.segments.begin(), refusal.segments.end()),
+                         refusal.segments.end());
   refused_.push_back(std::move(refusal));
 }
 
@@ -182,8 +182,8 @@ void Work::write(Repair& result) const {
   std::ranges::stable_sort(result.refused, [](const Refusal& p, const Refusal& q) {
     return p.kind != q.kind ? p.kind < q.kind : p.where < q.where;
   });
-  const auto repeated = std::ranges::unique(result.refused);
-  result.refused.erase(repeated.begin(), repeated.end());
+  result.refused.erase(std::unique(result.refused.begin(), result.refused.end()),
+                       result.refused.end());
   const std::vector<LineId> order = lines();
   SegmentSet drawing = this->drawing(order);
   SegmentSet& output = result.output = input_;
@@ -212,8 +212,8 @@ Line united(const Line& line, const Line& other) {
   Line result{std::min(line.a, other.a), std::max(line.b, other.b), line.segments};
   result.segments.insert(result.segments.end(), other.segments.begin(), other.segments.end());
   std::ranges::sort(result.segments);
-  const auto repeated = std::ranges::unique(result.segments);
-  result.segments.erase(repeated.begin(), repeated.end());
+  result.segments.erase(std::unique(result.segments.begin(), result.segments.end()),
+                        result.segments.end());
   return result;
 }
 
@@ -240,8 +240,7 @@ void rename_lines(Arranged& arranged, const Work& work) {
     renamed.clear();
     for (const SegmentId s : before[e]) renamed.push_back(place[arranged.line_of[s]]);
     std::ranges::sort(renamed);
-    const auto repeated = std::ranges::unique(renamed);
-    renamed.erase(repeated.begin(), repeated.end());
+    renamed.erase(std::unique(renamed.begin(), renamed.end()), renamed.end());
     sources.push_back(renamed);
   }
   arranged.line_of = lines;

@@ -73,6 +73,15 @@ void check_command(const cli::LarArguments& arguments) {
 }
 void check_command(const cli::EvalArguments& arguments) { check_input(arguments); }
 void check_command(const cli::RoomsArguments& arguments) { check_input(arguments); }
+void check_command(const cli::RepairArguments& arguments) {
+  check_input(arguments);
+  const RepairOptions& repair = arguments.repair;
+  for (const Rational& size :
+       {repair.weld.value_or(0), repair.grow.value_or(0), repair.trim.value_or(0),
+        repair.sliver.value_or(0), repair.snap, repair.simplify}) {
+    if (sgn(size) < 0) fail("a negative tolerance");
+  }
+}
 void check_command(const cli::RandomArguments& arguments) {
   check_limits(arguments.limits);
   check_number(arguments.scaling);
