@@ -51,8 +51,9 @@ std::vector<Breach> check_output(const SegmentSet& input, const Repair& repair) 
     return result;
   }
   const std::string other = kept_things(input, repair.output);
-  if (!other.empty())
+  if (!other.empty()) {
     result.push_back({other + " of the output are not those of the input", {}, {}});
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_ascending = is_strictly_ascending(repair.origins[i], input.segments.size());
     if (is_ascending && is_source_right(input, repair, i)) continue;

@@ -21,9 +21,9 @@ void merge(Work& work, const Arranged& arranged, bool keeps_common_sides, bool k
       for (std::size_t j = 0; j < i; ++j) {
         const std::size_t p = sources[e][i], q = sources[e][j];
         if (sets.find(p) == sets.find(q) || are_neighbours((*sides)[p], (*sides)[q])) continue;
-        if (work.is_anchored(arranged.line_of[p]) || work.is_anchored(arranged.line_of[q]))
-          continue;
-        if (keeps_layers && !work.is_same_layer(arranged.line_of[p], arranged.line_of[q])) continue;
+        const LineId line = arranged.line_of[p], other = arranged.line_of[q];
+        if (work.is_anchored(line) || work.is_anchored(other)) continue;
+        if (keeps_layers && !work.is_same_layer(line, other)) continue;
         sets.unite(p, q);
         found = true;
       }

@@ -58,7 +58,7 @@ class Slivers {
 
  private:
   std::optional<Gift> gift_of(FaceId f) const {
-    if (complex_.face_holes[f].size() != 0) return std::nullopt;
+    if (!complex_.face_holes[f].empty()) return std::nullopt;
     const auto border = complex_.cycles[complex_.face_outer[f]];
     if (!may_be_thin(border)) return std::nullopt;
     const std::vector<Chain> chains = chains_of(border);

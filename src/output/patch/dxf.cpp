@@ -144,8 +144,9 @@ class DxfPatch {
     text += style.groups;
     if (names_.is_modern) text += group(kMarker, "AcDbLine");
     for (const int end : {0, 1}) {
-      text += group(10 + end, real(ends[2 * end]));
-      text += group(20 + end, real(ends[2 * end + 1]));
+      const std::size_t first = end == 0 ? 0 : 2;
+      text += group(10 + end, real(ends[first]));
+      text += group(20 + end, real(ends[first + 1]));
       text += group(30 + end, "0.0");
     }
     return text;

@@ -32,8 +32,6 @@ std::string together(const std::vector<const FaceOutcome*>& outcomes, FaceFate f
       text += (text.empty() ? to_text(fate) + ' ' : ", ");
       switch (fate) {
         case FaceFate::Closed:
-          text += area(outcome->area_after);
-          break;
         case FaceFate::Split:
           text += area(outcome->area_after);
           break;
