@@ -18,6 +18,8 @@ namespace {
 
 /// A gap between sizes is clear where they differ so many times.
 constexpr double kClearRatio = 4;
+/// A smaller one is told where there is no clear gap.
+constexpr double kLeastRatio = 1.5;
 /// Sizes are looked at up to this part of the drawing; repaired ones are a quarter of that at most.
 constexpr double kSearchedPart = 50;
 /// Nor are they longer than this part of an ordinary line.
@@ -28,6 +30,8 @@ constexpr double kMostSpread = 8;
 constexpr double kSearchedUnits = 8;
 /// A unit larger than this part of the drawing is none: its numbers are round.
 constexpr double kUnitPart = 2000;
+/// What is as large as the unit may be larger by the drift of printed doubles.
+constexpr double kJustAbove = 1 + 0x1p-30;
 /// Rounding of doubles, of the largest coordinate.
 constexpr double kDrift = 0x1p-46;
 
@@ -73,7 +77,7 @@ std::vector<Size> growth_sizes(const Work& work, const Arranged& arranged, const
     double reach = reach_of(growth.tip);
     if (growth.other) reach = std::min(reach, reach_of(*growth.other));
     // What is no longer than the unit is short of it by rounding, however small it is itself.
-    sizes.push_back({size, size <= least * (1 + 0x1p-30) || reach >= kClearRatio * size});
+    sizes.push_back({size, size <= least * kJustAbove || reach >= kClearRatio * size});
   }
   return sizes;
 }
@@ -120,7 +124,7 @@ Rational Choice::choose(Ladder ladder) {
     return p.size != q.size ? p.size < q.size : p.is_accident < q.is_accident;
   });
   std::size_t sure = 0;  // no larger than the unit
-  while (sure < sizes.size() && sizes[sure].size <= least_ * (1 + 0x1p-30) &&
+  while (sure < sizes.size() && sizes[sure].size <= least_ * kJustAbove &&
          sizes[sure].is_accident) {
     ++sure;
   }
@@ -133,7 +137,7 @@ Rational Choice::choose(Ladder ladder) {
       break;
     }
     const double next = i + 1 < sizes.size() ? sizes[i + 1].size : ladder.searched;
-    if (next / sizes[i].size > 1.5) possible.push_back(sizes[i].size);
+    if (next / sizes[i].size > kLeastRatio) possible.push_back(sizes[i].size);
     if (next < widest * sizes[i].size) continue;
     widest = next / sizes[i].size;
     best = i + 1;
@@ -154,7 +158,7 @@ Rational Choice::choose(Ladder ladder) {
   }
   const double largest = sizes[best - 1].size;
   // Below the next size, which may be a detail as small as the unit.
-  const bool is_unit_free = best == sizes.size() || sizes[best].size > least_ * (1 + 0x1p-30);
+  const bool is_unit_free = best == sizes.size() || sizes[best].size > least_ * kJustAbove;
   const Rational value =
       rounded_up(is_unit_free && best == sure ? std::max(largest, least_) : largest);
   const std::string next = best < sizes.size() ? "the next one is " + shown(sizes[best].size)
