@@ -130,7 +130,7 @@ TEST_CASE("repairs that the operations make are honest") {
     const SegmentSet input = sloppy_plan(random, is_welding);
     Repair repaired = repair(input, random_options(random, is_welding));
     if (repaired.faces.empty()) {
-      repaired.faces = face_outcomes(input, arrange(input), repaired, arrange(repaired.output));
+      repaired.faces = face_outcomes(arrange(input), repaired, arrange(repaired.output));
     }
     for (const Edit& edit : repaired.edits) ++made[static_cast<std::size_t>(edit.kind)];
     INFO(round << '\n' << listed(input, repaired));
@@ -154,7 +154,7 @@ TEST_CASE("doors that the operations find are between two faces") {
     const SegmentSet input = segments(box + walls);
     Repair repaired = repair(input, options);
     if (repaired.faces.empty()) {
-      repaired.faces = face_outcomes(input, arrange(input), repaired, arrange(repaired.output));
+      repaired.faces = face_outcomes(arrange(input), repaired, arrange(repaired.output));
     }
     CHECK(std::ranges::count(repaired.edits, EditKind::Door, &Edit::kind) == 1);
     CHECK(breaches(input, repaired) == "");

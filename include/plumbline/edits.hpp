@@ -139,8 +139,8 @@ std::vector<Breach> verify(const SegmentSet& input, const Repair& repair);
 /// after; both may be the unbounded face. `before` and `after` are the arrangements of the input
 /// and of the output. **Exact**. Order: by fate and place. Cost: linear, and the arrangement of the
 /// borders of faces whose border changed.
-std::vector<FaceOutcome> face_outcomes(const SegmentSet& input, const ExactComplex& before,
-                                       const Repair& repair, const ExactComplex& after);
+std::vector<FaceOutcome> face_outcomes(const ExactComplex& before, const Repair& repair,
+                                       const ExactComplex& after);
 
 /// A segment of the input, with all that the drawing says of it.
 struct SourcedSegment {

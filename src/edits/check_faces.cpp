@@ -47,10 +47,10 @@ void check_doors(const Repair& repair, const ExactComplex& after, std::vector<Br
 
 }  // namespace
 
-std::vector<Breach> check_faces(const SegmentSet& input, const ExactComplex& before,
-                                const Repair& repair, const ExactComplex& after) {
+std::vector<Breach> check_faces(const ExactComplex& before, const Repair& repair,
+                                const ExactComplex& after) {
   std::vector<Breach> result;
-  const std::vector<FaceOutcome> found = face_outcomes(input, before, repair, after);
+  const std::vector<FaceOutcome> found = face_outcomes(before, repair, after);
   for (const FaceOutcome& outcome : found) {
     const bool is_done = std::ranges::any_of(
         outcome.edits, [&](std::size_t t) { return can_do(repair.edits[t].kind, outcome.fate); });

@@ -174,8 +174,8 @@ class Outcomes {
 
 }  // namespace
 
-std::vector<FaceOutcome> face_outcomes(const SegmentSet& /*input*/, const ExactComplex& before,
-                                       const Repair& repair, const ExactComplex& after) {
+std::vector<FaceOutcome> face_outcomes(const ExactComplex& before, const Repair& repair,
+                                       const ExactComplex& after) {
   const Complexes complexes = {&before, &after};
   const Both<std::vector<FaceId>> changed = edits::changed_faces(complexes);
   if (changed[Before].empty() && changed[After].empty()) return {};

@@ -29,7 +29,7 @@ std::vector<Breach> check_meetings(const SegmentSet& input, const Repair& repair
 
 /// What became of faces is what `face_outcomes` finds, each by edits that can do that; virtual
 /// lines are between two faces.
-std::vector<Breach> check_faces(const SegmentSet& input, const ExactComplex& before,
-                                const Repair& repair, const ExactComplex& after);
+std::vector<Breach> check_faces(const ExactComplex& before, const Repair& repair,
+                                const ExactComplex& after);
 
 }  // namespace plumbline::edits

@@ -25,7 +25,7 @@ std::vector<Breach> verify(const SegmentSet& input, const ExactComplex& before,
       add(check_surroundings(input, repair, states));
       add(check_movement(input, repair, states));
       add(check_meetings(input, repair, after));
-      add(check_faces(input, before, repair, after));
+      add(check_faces(before, repair, after));
     }
   }
   if (result.size() > kMaxBreaches) result.resize(kMaxBreaches);

@@ -32,7 +32,7 @@ class Repairing {
     if (sgn(result_.tolerances.grow) > 0) refuse_open_ends(work_, now_, result_.tolerances.grow);
     work_.write(result_);
     arrange_merged();
-    result_.faces = face_outcomes(work_.input(), before_, result_, now_.complex);
+    result_.faces = face_outcomes(before_, result_, now_.complex);
     return verify(work_.input(), before_, result_, now_.complex);
   }
 

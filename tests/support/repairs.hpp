@@ -56,7 +56,7 @@ inline void finish(const SegmentSet& input, Repair& repair) {
         line.segments.empty() ? added : input.segment_source[line.segments.front()]);
     repair.origins.push_back(line.segments);
   }
-  repair.faces = face_outcomes(input, arrange(input), repair, arrange(repair.output));
+  repair.faces = face_outcomes(arrange(input), repair, arrange(repair.output));
 }
 
 inline Made made(std::string name, const std::string& drawing, const Tolerances& tolerances,
