@@ -277,3 +277,12 @@ TEST_CASE("the flat keeps its rooms and its straight walls when doubled ones are
   CHECK(chosen.tolerances.weld < number("0.027"));
   CHECK(large_faces(arrange(chosen.output)) == 86);
 }
+
+TEST_CASE("a tolerance is said so that it is read again as the same") {
+  CHECK(tolerance_text(number("0.018")) == "0.018");
+  CHECK(tolerance_text(number("0.00000000000271")) == "2.71e-12");
+  CHECK(tolerance_text(Rational(1, 30)) == "1/30");
+  for (const char* text : {"0.018", "2.71e-12", "1/30", "12", "0.1234567890123456789"}) {
+    CHECK(number(tolerance_text(number(text))) == number(text));
+  }
+}

@@ -71,6 +71,9 @@ struct Tolerances {
   friend bool operator==(const Tolerances&, const Tolerances&) = default;
 };
 
+/// A tolerance as it is said, and read again as the same: "0.018", "2.71e-12", "1/30".
+std::string tolerance_text(const Rational& tolerance);
+
 /// What became of a face.
 enum class FaceFate {
   Closed,   ///< it is new: what it covers was open, part of the unbounded face

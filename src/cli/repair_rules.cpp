@@ -16,7 +16,7 @@ void tell_rules(const SegmentSet& input, const Repair& repaired, Report& report)
   }
   std::vector<Summary> rules;
   report.print("at a tolerance of {}, with vertices that are not where one was drawn:\n",
-               exact_text(tolerance));
+               tolerance_text(tolerance));
   report.print("{:<12} {:>8} {:>8} {:>8} {:>14} {:>8} {:>8} {:>10}\n", "rule", "vertices", "edges",
                "faces", "area", "skewed", "moved", "by up to");
   for (const RuleOutcome& rule : compare_rules(input, repaired, nearest_double(tolerance))) {

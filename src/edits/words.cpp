@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include "plumbline/edits.hpp"
 
@@ -14,6 +15,13 @@ std::string to_text(EditKind kind) {
 std::string to_text(FaceFate fate) {
   constexpr std::array<const char*, 5> kNames = {"closed", "split", "joined", "opened", "changed"};
   return kNames.at(static_cast<std::size_t>(fate));
+}
+
+std::string tolerance_text(const Rational& tolerance) {
+  const double rounded = nearest_double(tolerance);
+  if (!std::isfinite(rounded)) return exact_text(tolerance);
+  const std::string text = shortest_text(rounded);
+  return parse_decimal(text) == tolerance ? text : exact_text(tolerance);
 }
 
 }  // namespace plumbline

@@ -163,7 +163,7 @@ Rational Choice::choose(Ladder ladder) {
       rounded_up(is_unit_free && best == sure ? std::max(largest, least_) : largest);
   const std::string next = best < sizes.size() ? "the next one is " + shown(sizes[best].size)
                                                : "none other is up to " + shown(ladder.searched);
-  say(fmt::format("{}: {} of up to {}{}; {}", exact_text(value), best, shown(largest),
+  say(fmt::format("{}: {} of up to {}{}; {}", tolerance_text(value), best, shown(largest),
                   best == sure && unit_ > 0 ? ", no more than the last decimal" : "", next));
   return value;
 }

@@ -145,11 +145,12 @@ std::string to_text(const Tolerances& tolerances) {
                                     {"sliver ", &tolerances.sliver},
                                     {"snap ", &tolerances.snap},
                                     {"simplify ", &tolerances.simplify}}) {
-    text += name + (sgn(*value) == 0 ? "off" : exact_text(*value)) + ", ";
+    text += name + (sgn(*value) == 0 ? "off" : tolerance_text(*value)) + ", ";
   }
   text += "doors ";
   if (!tolerances.doors) return text + "off";
-  return text + exact_text(tolerances.doors->least) + ".." + exact_text(tolerances.doors->most);
+  return text + tolerance_text(tolerances.doors->least) + ".." +
+         tolerance_text(tolerances.doors->most);
 }
 
 }  // namespace plumbline
