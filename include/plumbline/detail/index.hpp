@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "plumbline/error.hpp"
+
 namespace plumbline {
 
 /// An index that can't be mistaken for an index into another array. Converts to std::size_t, so it
