@@ -29,6 +29,8 @@ class Lists {
   }
   /// All lists one after the other.
   std::span<const T> flat() const { return values_; }
+  /// Where each list starts in `flat`, and where the last one ends: size() + 1 numbers.
+  std::span<const std::uint32_t> starts() const { return begin_; }
   friend bool operator==(const Lists&, const Lists&) = default;
 
  private:

@@ -1,0 +1,37 @@
+"""Exact planar arrangements, and results held against them.
+
+Line work goes in as files, arrays, geometries or exact numbers; it comes out as what it cuts the
+plane into, exactly. ``plumbline.arrange(anything)`` is where to begin.
+"""
+
+from plumbline.arrangement import (
+    Arrangement,
+    Points,
+    arrange,
+    same,
+    signature,
+    validate,
+)
+from plumbline.drawing import Drawing, read
+from plumbline.errors import Error, FileError, InternalError, LimitError, LossWarning
+from plumbline.lines import Lines, lines
+from plumbline.lists import Lists
+
+__all__ = [
+    "Arrangement",
+    "Drawing",
+    "Error",
+    "FileError",
+    "InternalError",
+    "LimitError",
+    "Lines",
+    "Lists",
+    "LossWarning",
+    "Points",
+    "arrange",
+    "lines",
+    "read",
+    "same",
+    "signature",
+    "validate",
+]

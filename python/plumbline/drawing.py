@@ -1,0 +1,101 @@
+"""Drawings: line work from files, with its hierarchy."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+from plumbline import _core
+from plumbline._numbers import Number, Numbers, exact_text
+from plumbline.errors import Error
+from plumbline.lines import Lines, _warn_of_losses
+
+
+class Drawing(Lines):
+    """Line work of a file: `Lines`, with the hierarchy that the file has.
+
+    Attributes
+    ----------
+    structure : Structure
+        The hierarchy.
+    """
+
+    def __init__(self, core: _core.SegmentSet, numbers: Numbers, structure: _core.Structure):
+        super().__init__(core, numbers)
+        self.structure = structure
+
+
+def read(
+    path: str | os.PathLike[str],
+    *,
+    numbers: Numbers = "decimals",
+    format: str = "",
+    flatten: Number | None = None,
+    hidden: bool = False,
+    layers: Sequence[str] = (),
+    without_layers: Sequence[str] = (),
+    hatches: bool = False,
+    layer_property: str = "layer",
+    join_curves: bool = True,
+    shortest_decimals: bool = False,
+) -> Drawing:
+    """The drawing in a file, every number as it is written.
+
+    Parameters
+    ----------
+    path : path
+        A ``.svg``, ``.svgz``, ``.dxf``, ``.geojson``, ``.json``, ``.wkt``, ``.wkb``, ``.csv`` or
+        ``.lines`` file.
+    numbers : {"decimals", "doubles"}
+        Exactly what is written, or as programs have it that read doubles.
+    format : str
+        One of these endings, where the file has another one.
+    flatten : number, optional
+        Largest distance of a curve from the chords that replace it. By default a thousandth of
+        the curve's size or, where that is more, a 5000th of the drawing's.
+    hidden : bool
+        Whether what the drawing hides is read, too.
+    layers, without_layers : sequence of str
+        Patterns of the layers that are read, all where there are none, and of those that are not.
+    hatches : bool
+        Whether boundaries of hatches of a DXF are read.
+    layer_property : str
+        The property of GeoJSON features that names their layer.
+    join_curves : bool
+        Whether curves are joined to what they meet within the rounding of the file's numbers.
+    shortest_decimals : bool
+        Whether 420.34000000000003 is read as 420.34, as programs print doubles.
+
+    Returns
+    -------
+    Drawing
+
+    Warns
+    -----
+    LossWarning
+        Where something that looks like lines was not understood.
+
+    Raises
+    ------
+    Error
+        For what is no such file, with line, column and text; FileError where it cannot be read.
+    """
+    options = _core.ReadOptions()
+    options.format = format
+    if flatten is not None:
+        options.chord_tolerance = exact_text(flatten)
+    options.hidden = hidden
+    options.layers = [layers] if isinstance(layers, str) else list(layers)
+    options.without_layers = (
+        [without_layers] if isinstance(without_layers, str) else list(without_layers)
+    )
+    options.hatches = hatches
+    options.layer_property = layer_property
+    options.join_curves = join_curves
+    options.shortest_decimals = shortest_decimals
+    if numbers not in ("decimals", "doubles"):
+        raise Error(f'numbers are "doubles" or "decimals": {numbers!r}')
+    structure = _core.read(os.fspath(path), options)
+    result = Drawing(structure.evaluate(numbers == "doubles"), numbers, structure)
+    _warn_of_losses(result)
+    return result
