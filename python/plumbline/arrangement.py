@@ -351,11 +351,11 @@ def arrange(
 
     Whether 0.1 is a tenth is a question of what is meant:
 
-    >>> tee = [(0.0, 0.0, 0.3, 0.1), (0.1, 0.3, 0.15, 0.05)]
-    >>> plumbline.arrange(tee, numbers="decimals").counts.vertices
-    4
-    >>> plumbline.arrange(tee, numbers="doubles").counts.vertices
-    5
+    >>> tee = [(0.0, 0.0, 0.9, 0.3), (0.3, 0.2, 0.3, 0.1)]
+    >>> plumbline.arrange(tee, numbers="decimals").counts.edges
+    3
+    >>> plumbline.arrange(tee, numbers="doubles").counts.edges
+    2
     """
     if exact_engine not in ("bucket", "cgal"):
         raise Error(f'exact engines are "bucket" and "cgal": {exact_engine!r}')

@@ -144,7 +144,7 @@ class Lines:
         """Each segment as a LineString of nearest doubles."""
         import shapely
 
-        return shapely.linestrings(self.coords.reshape(-1, 2, 2))
+        return np.asarray(shapely.linestrings(self.coords.reshape(-1, 2, 2)), dtype=object)
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
@@ -369,8 +369,8 @@ def _of_sequence(
     return Lines(_core.SegmentSet.of_texts(texts, items), chosen)
 
 
-def _four(row: Any) -> list[Any]:
-    row = list(row)
+def _four(segment: Any) -> list[Any]:
+    row = list(segment)
     if len(row) == 2:
         return [*_pair(row[0]), *_pair(row[1])]
     if len(row) != 4:
@@ -379,10 +379,10 @@ def _four(row: Any) -> list[Any]:
 
 
 def _pair(point: Any) -> tuple[Any, Any]:
-    point = tuple(point)
-    if len(point) != 2:
-        raise Error(f"a point is (x, y): {point!r:.60}")
-    return point
+    coordinates = tuple(point)
+    if len(coordinates) != 2:
+        raise Error(f"a point is (x, y): {coordinates!r:.60}")
+    return coordinates[0], coordinates[1]
 
 
 def _texts(values: Sequence[Any] | None) -> list[str]:

@@ -73,7 +73,8 @@ class Lists(Sequence[NDArray[np.uint32]]):
     @property
     def lengths(self) -> NDArray[np.intp]:
         """How long each list is."""
-        return np.diff(self.indptr.astype(np.intp))
+        starts = self.indptr.astype(np.intp)
+        return starts[1:] - starts[:-1]
 
     def tolist(self) -> list[list[int]]:
         """The same as lists of ints."""

@@ -23,7 +23,7 @@ auto as_view(Member Incidences::*member) {
   return [member](nb::handle self) { return view(complex_of(self).*member, self); };
 }
 
-nb::object coords_of(const ExactComplex& complex) {
+DoubleArray coords_of(const ExactComplex& complex) {
   std::vector<double> coords;
   {
     const nb::gil_scoped_release release;
@@ -43,12 +43,12 @@ Point point(const ExactComplex& complex, std::size_t v) {
 }
 
 /// x, y numerators and denominators, (V, 4), where all fit; else None.
-nb::object small_fractions(const ExactComplex& complex) {
+std::optional<IntArray> small_fractions(const ExactComplex& complex) {
   std::vector<std::int64_t> numbers;
   numbers.reserve(4 * complex.vertices.size());
   for (const Point& p : complex.vertices) {
     for (const mpz_class& part : {p.x.get_num(), p.x.get_den(), p.y.get_num(), p.y.get_den()}) {
-      if (!part.fits_slong_p()) return nb::none();
+      if (!part.fits_slong_p()) return std::nullopt;
       numbers.push_back(part.get_si());
     }
   }
@@ -56,7 +56,7 @@ nb::object small_fractions(const ExactComplex& complex) {
 }
 
 /// Per edge the sources of the segments that cover it, ascending, each once.
-nb::tuple edge_items(const ExactComplex& complex, const SegmentSet& input) {
+ListArrays edge_items(const ExactComplex& complex, const SegmentSet& input) {
   Lists<std::uint32_t> items;
   {
     const nb::gil_scoped_release release;
@@ -75,21 +75,30 @@ nb::tuple edge_items(const ExactComplex& complex, const SegmentSet& input) {
   return arrays(std::move(items));
 }
 
+class Int32Array : public nb::object {
+  NB_OBJECT(Int32Array, nb::object, "numpy.typing.NDArray[numpy.int32]", is_array)
+ private:
+  static bool is_array(PyObject*) { return true; }
+};
+using Shape = nb::typed<nb::tuple, int, int>;
+using Csc = nb::typed<nb::tuple, Int32Array, Int32Array, Int32Array, Shape>;
+
 /// A sparse matrix as SciPy's csc_array takes it: (data, indices, indptr, shape).
-nb::tuple csc(ChainMatrix matrix) {
+Csc csc(ChainMatrix matrix) {
   matrix.makeCompressed();
   const auto nonzeros = static_cast<std::size_t>(matrix.nonZeros());
   std::vector<std::int32_t> data(matrix.valuePtr(), matrix.valuePtr() + nonzeros);
   std::vector<std::int32_t> indices(matrix.innerIndexPtr(), matrix.innerIndexPtr() + nonzeros);
   std::vector<std::int32_t> starts(matrix.outerIndexPtr(),
                                    matrix.outerIndexPtr() + matrix.cols() + 1);
-  return nb::make_tuple(array(std::move(data)), array(std::move(indices)), array(std::move(starts)),
-                        nb::make_tuple(static_cast<std::size_t>(matrix.rows()),
-                                       static_cast<std::size_t>(matrix.cols())));
+  return nb::borrow<Csc>(nb::make_tuple(array(std::move(data)), array(std::move(indices)),
+                                        array(std::move(starts)),
+                                        nb::make_tuple(static_cast<std::size_t>(matrix.rows()),
+                                                       static_cast<std::size_t>(matrix.cols()))));
 }
 
 /// Per bounded face its vertices or edges, ascending: the rows of a characteristic matrix.
-nb::tuple rows_of(const ChainMatrix& matrix) {
+ListArrays rows_of(const ChainMatrix& matrix) {
   Lists<std::uint32_t> rows;
   const Eigen::SparseMatrix<int, Eigen::RowMajor> by_rows(matrix);
   std::vector<std::uint32_t> row;
@@ -103,7 +112,7 @@ nb::tuple rows_of(const ChainMatrix& matrix) {
   return arrays(std::move(rows));
 }
 
-nb::object locate_points(const ExactComplex& complex, const Coordinates& coords) {
+IndexArray locate_points(const ExactComplex& complex, const Coordinates& coords) {
   std::vector<std::uint32_t> faces;
   {
     const nb::gil_scoped_release release;
@@ -119,7 +128,7 @@ nb::object locate_points(const ExactComplex& complex, const Coordinates& coords)
   return array(std::move(faces));
 }
 
-nb::object area_doubles(const ExactComplex& complex) {
+DoubleArray area_doubles(const ExactComplex& complex) {
   std::vector<double> areas;
   {
     const nb::gil_scoped_release release;
@@ -157,17 +166,16 @@ void bind_arrays(nb::class_<ExactComplex>& type) {
 }  // namespace
 
 void bind_complex(nb::module_& m) {
-  nb::class_<Counts>(m, "Counts", "Numbers of cells; faces with the unbounded one.")
-      .def_ro("vertices", &Counts::vertices)
+  nb::class_<Counts> counts_type(m, "Counts", "Numbers of cells; faces with the unbounded one.");
+  counts_type.def_ro("vertices", &Counts::vertices)
       .def_ro("edges", &Counts::edges)
       .def_ro("faces", &Counts::faces)
       .def_ro("holes", &Counts::holes, "Of bounded faces.")
       .def_ro("isolated_vertices", &Counts::isolated_vertices)
       .def_ro("components", &Counts::components)
       .def_ro("antennas", &Counts::antennas, "Edges with the same face on both sides.")
-      .def_ro("depth", &Counts::depth, "The greatest nesting depth.")
-      .def(
-          "__eq__", [](const Counts& a, const Counts& b) { return a == b; }, nb::is_operator());
+      .def_ro("depth", &Counts::depth, "The greatest nesting depth.");
+  define_equality(counts_type);
   nb::class_<Violation>(m, "Violation", "An invariant of a complex that is broken.")
       .def_prop_ro("invariant", [](const Violation& v) { return to_text(v.invariant); })
       .def_ro("message", &Violation::message)
@@ -213,10 +221,8 @@ void bind_complex(nb::module_& m) {
       .def("boundary_2", [](const ExactComplex& c) { return csc(boundary_2(c)); })
       .def("face_vertices",
            [](const ExactComplex& c) { return rows_of(characteristic_fv(c, c.vertices.size())); })
-      .def("face_edges", [](const ExactComplex& c) { return rows_of(characteristic_fe(c)); })
-      .def(
-          "__eq__", [](const ExactComplex& a, const ExactComplex& b) { return a == b; },
-          nb::is_operator());
+      .def("face_edges", [](const ExactComplex& c) { return rows_of(characteristic_fe(c)); });
+  define_equality(type);
 }
 
 }  // namespace plumbline::python

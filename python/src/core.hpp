@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -49,17 +50,43 @@ nb::object int_of(const mpz_class& value);
 /// A fractions.Fraction.
 nb::object fraction_of(const Rational& value);
 
+/// NumPy arrays as the stub calls them.
+class DoubleArray : public nb::object {
+  NB_OBJECT(DoubleArray, nb::object, "numpy.typing.NDArray[numpy.float64]", is_array)
+ private:
+  static bool is_array(PyObject*) { return true; }
+};
+class IndexArray : public nb::object {
+  NB_OBJECT(IndexArray, nb::object, "numpy.typing.NDArray[numpy.uint32]", is_array)
+ private:
+  static bool is_array(PyObject*) { return true; }
+};
+class IntArray : public nb::object {
+  NB_OBJECT(IntArray, nb::object, "numpy.typing.NDArray[numpy.int64]", is_array)
+ private:
+  static bool is_array(PyObject*) { return true; }
+};
+template <class T>
+using ArrayOf = std::conditional_t<
+    std::is_same_v<T, double>, DoubleArray,
+    std::conditional_t<std::is_same_v<T, std::uint32_t>, IndexArray,
+                       std::conditional_t<std::is_same_v<T, std::int64_t>, IntArray, nb::object>>>;
+/// Lists as SciPy and Arrow have them: (indptr, indices).
+using ListArrays = nb::typed<nb::tuple, IndexArray, IndexArray>;
+
 /// A read-only array of the memory that `owner` keeps: no copy. Rows of `width` numbers; one
 /// dimension for a width of 0.
 template <class T>
-nb::object view(const T* data, std::size_t count, std::size_t width, nb::handle owner) {
+ArrayOf<T> view(const T* data, std::size_t count, std::size_t width, nb::handle owner) {
   const std::size_t shape[2] = {count, width};
-  return nb::cast(nb::ndarray<nb::numpy, const T>(data, width == 0 ? 1 : 2, shape, owner),
-                  nb::rv_policy::reference);
+  return nb::steal<ArrayOf<T>>(
+      nb::cast(nb::ndarray<nb::numpy, const T>(data, width == 0 ? 1 : 2, shape, owner),
+               nb::rv_policy::reference)
+          .release());
 }
 /// The same of memory that goes over to Python.
 template <class T>
-nb::object array(std::vector<T> values, std::size_t width = 0) {
+ArrayOf<T> array(std::vector<T> values, std::size_t width = 0) {
   auto* kept = new std::vector<T>(std::move(values));
   const nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
   return view(kept->data(), kept->size() / (width == 0 ? 1 : width), width, owner);
@@ -72,22 +99,31 @@ const std::uint32_t* numbers(const std::vector<Index<Tag>>& indices) {
   return reinterpret_cast<const std::uint32_t*>(indices.data());
 }
 template <class Tag>
-nb::object view(const std::vector<Index<Tag>>& indices, nb::handle owner) {
+IndexArray view(const std::vector<Index<Tag>>& indices, nb::handle owner) {
   return view(numbers(indices), indices.size(), 0, owner);
 }
-/// Lists as SciPy and Arrow have them: (indptr, indices).
 template <class T>
-nb::tuple view(const Lists<T>& lists, nb::handle owner) {
+ListArrays view(const Lists<T>& lists, nb::handle owner) {
+  static_assert(sizeof(T) == sizeof(std::uint32_t));
   const auto starts = lists.starts();
-  return nb::make_tuple(view(starts.data(), starts.size(), 0, owner),
-                        view(reinterpret_cast<const std::uint32_t*>(lists.flat().data()),
-                             lists.flat().size(), 0, owner));
+  return nb::borrow<ListArrays>(
+      nb::make_tuple(view(starts.data(), starts.size(), 0, owner),
+                     view(reinterpret_cast<const std::uint32_t*>(lists.flat().data()),
+                          lists.flat().size(), 0, owner)));
 }
 template <class T>
-nb::tuple arrays(Lists<T> lists) {
+ListArrays arrays(Lists<T> lists) {
   auto* kept = new Lists<T>(std::move(lists));
   const nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<Lists<T>*>(p); });
   return view(*kept, owner);
+}
+
+/// Defines == by that of C++; another type is another value.
+template <class T>
+void define_equality(nb::class_<T>& type) {
+  type.def(
+      "__eq__", [](const T& a, const T& b) { return a == b; }, nb::is_operator(),
+      nb::sig("def __eq__(self, other: object, /) -> bool"));
 }
 
 /// A callback for long work, which runs without the GIL: it takes it, looks for Ctrl-C, and tells

@@ -105,7 +105,7 @@ void add_points(SegmentSet& set, const std::vector<std::string>& texts, std::str
   }
 }
 
-nb::object coords_of(const SegmentSet& set) {
+DoubleArray coords_of(const SegmentSet& set) {
   std::vector<double> coords;
   {
     const nb::gil_scoped_release release;
@@ -129,24 +129,21 @@ std::tuple<Rational, Rational, Rational, Rational> exact_segment(const SegmentSe
 
 template <class T>
 void bind_item(nb::class_<T> type, const char* what, std::string T::*member, const char* doc) {
-  type.def_ro("source", &T::source, "The element that it is about.")
-      .def_ro(what, member, doc)
-      .def(
-          "__eq__", [](const T& a, const T& b) { return a == b; }, nb::is_operator());
+  type.def_ro("source", &T::source, "The element that it is about.").def_ro(what, member, doc);
+  define_equality(type);
 }
 
 void bind_items(nb::module_& m) {
-  nb::class_<Source>(m, "Source", "The element of a drawing that something came from.")
-      .def_ro("file", &Source::file, "Index into the names of files.")
+  nb::class_<Source> source(m, "Source", "The element of a drawing that something came from.");
+  source.def_ro("file", &Source::file, "Index into the names of files.")
       .def_ro("line", &Source::line,
               "Its line in the file, or its number in an array, from 1; 0: not known.")
       .def_ro("column", &Source::column, "From 1; 0: not known.")
       .def_ro("element", &Source::element, "What it is in the format: \"LINE\", \"row\", ...")
       .def_ro("id", &Source::id, "Its id, or \"\".")
       .def_ro("path", &Source::path, "Names of the groups or layers above it.")
-      .def_ro("layer", &Source::layer, "Its layer, or \"\".")
-      .def(
-          "__eq__", [](const Source& a, const Source& b) { return a == b; }, nb::is_operator());
+      .def_ro("layer", &Source::layer, "Its layer, or \"\".");
+  define_equality(source);
   nb::class_<Rejected> rejected(m, "Rejected",
                                 "An item of the input that takes no part in the result.");
   bind_item(rejected, "reason", &Rejected::reason, "Why.");

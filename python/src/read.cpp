@@ -2,7 +2,6 @@
 
 #include "plumbline/read.hpp"
 
-#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string_view.h>
 
 #include <array>
@@ -45,8 +44,10 @@ void bind_read(nb::module_& m) {
       .def_rw("layer_property", &ReadOptions::layer_property)
       .def_rw("join_curves", &ReadOptions::join_curves)
       .def_rw("shortest_decimals", &ReadOptions::shortest_decimals);
-  m.def("read", &read, nb::arg("file"), nb::arg("options"),
-        nb::call_guard<nb::gil_scoped_release>());
+  m.def(
+      "read",
+      [](const std::string& file, const ReadOptions& options) { return read(file, options); },
+      nb::arg("file"), nb::arg("options"), nb::call_guard<nb::gil_scoped_release>());
   m.def(
       "read_text",
       [](std::string_view format, std::string_view text, const std::string& name,
