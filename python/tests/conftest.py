@@ -1,10 +1,11 @@
 """Paths of data that tests read."""
 
+import os
 from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(os.environ.get("PLUMBLINE_ROOT", Path(__file__).resolve().parents[2]))
 
 
 @pytest.fixture(scope="session")
