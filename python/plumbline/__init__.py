@@ -4,6 +4,7 @@ Line work goes in as files, arrays, geometries or exact numbers; it comes out as
 plane into, exactly. ``plumbline.arrange(anything)`` is where to begin.
 """
 
+from plumbline._core import __version__
 from plumbline.arrangement import (
     Arrangement,
     Points,
@@ -28,6 +29,7 @@ __all__ = [
     "Lists",
     "LossWarning",
     "Points",
+    "__version__",
     "arrange",
     "lines",
     "read",
