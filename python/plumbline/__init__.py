@@ -17,6 +17,8 @@ from plumbline.drawing import Drawing, read
 from plumbline.errors import Error, FileError, InternalError, LimitError, LossWarning
 from plumbline.lines import Lines, lines
 from plumbline.lists import Lists
+from plumbline.repair import Repair, Undone, compare_rules, repair, undo
+from plumbline.rooms import Rooms, rooms
 
 __all__ = [
     "Arrangement",
@@ -29,11 +31,18 @@ __all__ = [
     "Lists",
     "LossWarning",
     "Points",
+    "Repair",
+    "Rooms",
+    "Undone",
     "__version__",
     "arrange",
+    "compare_rules",
     "lines",
     "read",
+    "repair",
+    "rooms",
     "same",
     "signature",
+    "undo",
     "validate",
 ]

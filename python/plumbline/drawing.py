@@ -20,6 +20,9 @@ class Drawing(Lines):
         The hierarchy.
     """
 
+    _read_from: tuple[str, _core.ReadOptions] | None = None
+    """The file and how it was read, until it is pickled: to write it with changes."""
+
     def __init__(self, core: _core.SegmentSet, numbers: Numbers, structure: _core.Structure):
         super().__init__(core, numbers)
         self.structure = structure
@@ -97,5 +100,6 @@ def read(
         raise Error(f'numbers are "doubles" or "decimals": {numbers!r}')
     structure = _core.read(os.fspath(path), options)
     result = Drawing(structure.evaluate(numbers == "doubles"), numbers, structure)
+    result._read_from = os.fspath(path), options
     _warn_of_losses(result)
     return result

@@ -79,7 +79,7 @@ void bind_edit_types(nb::module_& m) {
       .def("__repr__", [](const Tolerances& t) { return described("Tolerances", to_text(t)); })
       .def(
           "__eq__", [](const Tolerances& a, const Tolerances& b) { return a == b; },
-          nb::is_operator());
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"));
 }
 
 void bind_outcome_types(nb::module_& m) {
@@ -161,8 +161,11 @@ void bind_edits(nb::module_& m) {
   bind_outcome_types(m);
   Type type(m, "Repair", "A repaired drawing, and what was done to it.");
   type.def_ro("output", &Repair::output)
-      .def("origins",
-           [](nb::handle self) { return view(nb::cast<const Repair&>(self).origins, self); })
+      .def(
+          "origins",
+          [](nb::handle self) { return view(nb::cast<const Repair&>(self).origins, self); },
+          nb::sig("def origins(self) -> tuple[numpy.typing.NDArray[numpy.uint32], "
+                  "numpy.typing.NDArray[numpy.uint32]]"))
       .def_ro("edits", &Repair::edits)
       .def_ro("refused", &Repair::refused)
       .def_ro("faces", &Repair::faces)

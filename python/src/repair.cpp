@@ -58,6 +58,7 @@ void bind_log(nb::module_& m) {
       .def_ro("input_signature", &RepairLog::input_signature)
       .def_ro("output_signature", &RepairLog::output_signature);
   m.def("read_repair_log", &read_repair_log, nb::arg("file"),
+        nb::sig("def read_repair_log(file: str) -> RepairLog"),
         nb::call_guard<nb::gil_scoped_release>());
   m.def("repair_log", &log_of, nb::arg("input"), nb::arg("repair"),
         nb::call_guard<nb::gil_scoped_release>());
@@ -72,7 +73,10 @@ void bind_files(nb::module_& m) {
       .def_ro("replaced", &PatchedFile::replaced, "Elements that gave way to lines.")
       .def_ro("why_not", &PatchedFile::why_not, "\"\" where it is done.");
   m.def("patched_file", &patched_file, nb::arg("file"), nb::arg("format"), nb::arg("options"),
-        nb::arg("input"), nb::arg("output"), nb::call_guard<nb::gil_scoped_release>());
+        nb::arg("input"), nb::arg("output"),
+        nb::sig("def patched_file(file: str, format: str, options: ReadOptions, input: SegmentSet, "
+                "output: SegmentSet) -> PatchedFile"),
+        nb::call_guard<nb::gil_scoped_release>());
   m.def(
       "lines_text", [](const SegmentSet& set) { return to_lines(set); }, nb::arg("lines"),
       nb::call_guard<nb::gil_scoped_release>(), "As a .lines file, exactly.");
@@ -84,8 +88,9 @@ void bind_files(nb::module_& m) {
       [](const std::filesystem::path& file, std::string_view content) {
         write_file(file, content);
       },
-      nb::arg("file"), nb::arg("content"), nb::call_guard<nb::gil_scoped_release>(),
-      "Writes a file whole or not at all.");
+      nb::arg("file"), nb::arg("content"),
+      nb::sig("def write_file(file: str, content: str) -> None"),
+      nb::call_guard<nb::gil_scoped_release>(), "Writes a file whole or not at all.");
 }
 
 }  // namespace

@@ -1,0 +1,537 @@
+"""Line work that meets: what to edit, the proof, and the way back."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+import warnings
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal, Union
+
+from plumbline import _core
+from plumbline._notebook import drawn, framed
+from plumbline._numbers import Number, Numbers
+from plumbline._sizes import names, size_text
+from plumbline._tables import to_geodataframe
+from plumbline.arrangement import Arrangement, arrange
+from plumbline.errors import Error, LossWarning
+from plumbline.lines import Lines, LinesLike, lines
+from plumbline.lists import Lists
+
+if TYPE_CHECKING:
+    from geopandas import GeoDataFrame  # type: ignore[import-untyped]
+
+Tolerance = Union[Number, Literal["auto", "off"], bool]
+"""A size in drawing units; "auto": chosen from the drawing; 0, False or "off": none."""
+
+_FEATURE_FORMATS = ("geojson", "topojson", "dxf", "wkt", "csv", "wkb")
+_FORMATS = ("lines", *_FEATURE_FORMATS, "svg")
+
+
+class Repair:
+    """A repaired drawing, and every edit that made it.
+
+    Made by `plumbline.repair`. Exact; `verify` has proven it before it was returned.
+
+    Attributes
+    ----------
+    input : Lines
+        The drawing.
+
+    See Also
+    --------
+    plumbline.repair, plumbline.undo
+    """
+
+    def __init__(self, core: _core.Repair, of: Lines, options: Mapping[str, Any] | None = None):
+        self._core = core
+        self._options = dict(options or {})
+        self.input = of
+
+    @cached_property
+    def output(self) -> Lines:
+        """The repaired drawing: `plumbline.arrange` takes it, and all that takes lines."""
+        return Lines(self._core.output, self.input.numbers)
+
+    @cached_property
+    def origins(self) -> Lists:
+        """Per segment of `output` those of `input` that it stands for, ascending."""
+        return Lists(*self._core.origins())
+
+    @cached_property
+    def edits(self) -> list[_core.Edit]:
+        """In the order in which they were made: ``kind``, ``where``, ``size`` (rounded),
+        ``squared_size`` (exact), lines ``before`` and ``after``."""
+        return self._core.edits
+
+    @cached_property
+    def refused(self) -> list[_core.Refusal]:
+        """What would have been an edit, and the ``reason`` why it is none."""
+        return self._core.refused
+
+    @cached_property
+    def faces(self) -> list[_core.FaceOutcome]:
+        """Faces that are not there as they were: ``fate`` ("closed", "split", "joined", "opened",
+        "changed"), exact areas, the ``edits`` that did it."""
+        return self._core.faces
+
+    @property
+    def tolerances(self) -> _core.Tolerances:
+        """Up to which size each operation repaired, exactly; 0: it did not."""
+        return self._core.tolerances
+
+    @property
+    def reasons(self) -> list[str]:
+        """Why tolerances that were chosen automatically are what they are, a sentence each."""
+        return self._core.reasons
+
+    @property
+    def anchored(self) -> list[int]:
+        """Segments of `input` that no edit could touch."""
+        return self._core.anchored
+
+    @cached_property
+    def changes(self) -> list[_core.NetChange]:
+        """What changed on the whole: segments ``before``, with their sources, and ``after``."""
+        return _core.net_changes(self.input._core, self._core)
+
+    @cached_property
+    def rounded_lines(self) -> int:
+        """How many lines of `changes` end at fractions that no decimal is: all formats but .lines
+        round them to doubles, beside what they meet."""
+        return sum(
+            any(not _is_decimal(c) for point in ends for c in point)
+            for change in self.changes
+            for ends in change.after
+        )
+
+    @cached_property
+    def before(self) -> Arrangement:
+        """The arrangement of `input`."""
+        return arrange(self.input)
+
+    @cached_property
+    def after(self) -> Arrangement:
+        """The arrangement of `output`."""
+        return arrange(self.output)
+
+    def verify(self) -> list[_core.Breach]:
+        """What is not true of the repair, by code that shares nothing with what made it: nothing.
+
+        The edits make the output of the input; each does what its kind says, within the
+        tolerances; what became of faces is as it says.
+        """
+        return _core.verify_repair(
+            self.input._core, self.before._core, self._core, self.after._core
+        )
+
+    def compare_rules(self, tolerance: Number | None = None) -> list[_core.RuleOutcome]:
+        """The drawing as it is, its repair, and what rules in use make of it at one tolerance, by
+        default the largest that was used: LAR's pruning, gaps closed at the mean of their ends, all
+        segments extended.
+
+        Raises
+        ------
+        Error
+            For a tolerance of 0, at which nothing moves.
+        """
+        if tolerance is None:
+            used = self.tolerances
+            size = max(used.weld, used.grow, used.trim, used.snap)
+        else:
+            size = Fraction(size_text("tolerance", tolerance))
+        if size == 0:
+            raise Error("nothing moves, grows or goes at a tolerance of 0: give one")
+        return _core.compare_rules(self.input._core, self._core, float(size))
+
+    # Forms.
+
+    def to_text(self, listed: int | None = None) -> str:
+        """Tolerances and why, then the edits that do most to faces, `listed` of them or as many as
+        fit on a screen; what was refused."""
+        return self._core.to_text(self.input._core, listed)
+
+    def to_json(self) -> str:
+        """The log, which `undo` takes: tolerances, edits, faces, what was refused."""
+        return self._core.to_json(self.input._core)
+
+    def to_svg(self) -> str:
+        """A picture: what was added, removed and moved, and the faces that changed."""
+        return self._core.to_svg(self.input._core, self.before._core, self.after._core)
+
+    def to_html(self) -> str:
+        """A page: the drawing before, after or both, with lists to click through."""
+        return self._core.to_html(self.input._core, self.before._core, self.after._core)
+
+    def to_geopandas(self, what: Literal["edits", "lines"] = "edits") -> GeoDataFrame:
+        """A GeoDataFrame. Needs geopandas.
+
+        Parameters
+        ----------
+        what : {"edits", "lines"}
+            The edits and then what was refused, as points; or the repaired drawing, with columns
+            ``line``, ``layer``, ``source``, ``id`` and ``virtual``, rounded to nearest doubles.
+        """
+        if what == "edits":
+            table = self._core.table(self.input._core)
+        elif what == "lines":
+            table = _core.line_table(self._core.output)
+        else:
+            raise Error(f'there are "edits" and "lines": {what!r}')
+        return to_geodataframe(table, self.input.crs)
+
+    def write(
+        self, path: str | os.PathLike[str], *, format: str | None = None, edits: bool = False
+    ) -> None:
+        """Writes the repaired drawing: whole, or not at all.
+
+        A DXF or SVG that was read from a file of that format stays that file, byte by byte, but
+        for the elements that were edited; a .lines file is exact; others have nearest doubles. A
+        .json file is the log, a .html file the page.
+
+        Parameters
+        ----------
+        path : path
+            Its ending says the format.
+        format : str, optional
+            "lines", "geojson", "topojson", "dxf", "wkt", "csv", "wkb", "svg", "json" or "html".
+        edits : bool
+            Whether the edits are written instead, as points.
+
+        Warns
+        -----
+        LossWarning
+            Where a DXF or SVG file cannot be kept, so that lines alone are written.
+
+        Raises
+        ------
+        Error
+            For a format that is not known, and the file that was read; FileError where the file
+            cannot be written.
+        """
+        _write(self, self.input, path, format, edits=edits)
+
+    def _written(self, format: str, *, edits: bool = False, **options: Any) -> str | bytes:
+        """The content of a file: what `plumbline.write` asks for."""
+        _ensure_none(options)
+        if edits and format in _FEATURE_FORMATS:
+            return self._core.table(self.input._core).written(format)
+        if edits:
+            raise Error(f"edits are written as {', '.join(_FEATURE_FORMATS)}: {format!r}")
+        if format == "json":
+            return self.to_json()
+        if format == "html":
+            return self.to_html()
+        return _drawing_text(format, self.input, self.output)
+
+    def _repr_svg_(self) -> str | None:
+        return drawn(self.to_svg())
+
+    def _repr_html_(self) -> str | None:
+        return framed(self.to_html(), 560)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made, (self.input, self._options)
+
+    def __str__(self) -> str:
+        return self.to_text()
+
+    def __repr__(self) -> str:
+        return f"<Repair: {self._core.line()}>"
+
+
+class Undone(Lines):
+    """The drawing that was repaired, made of the repaired one by `plumbline.undo`."""
+
+    def __init__(self, core: _core.SegmentSet, repaired: Lines) -> None:
+        super().__init__(core, repaired.numbers)
+        self._repaired: Lines | None = repaired
+
+    def write(self, path: str | os.PathLike[str], *, format: str | None = None) -> None:
+        """Writes the drawing, as `Repair.write` does, into the file of the repaired one."""
+        _write(self, self._repaired or self, path, format)
+
+    def _written(self, format: str, **options: Any) -> str | bytes:
+        _ensure_none(options)
+        return _drawing_text(format, self._repaired or self, self)
+
+    def __setstate__(self, state: tuple[_core.SegmentSet, Numbers]) -> None:
+        super().__setstate__(state)
+        self._repaired = None
+
+
+def _is_decimal(value: Fraction) -> bool:
+    rest = value.denominator
+    for factor in (2, 5):
+        while rest % factor == 0:
+            rest //= factor
+    return rest == 1
+
+
+def _ensure_none(options: Mapping[str, Any]) -> None:
+    if options:
+        raise Error(f"a drawing is written without these options: {', '.join(options)}")
+
+
+def _drawing_text(format: str, source: Lines, output: Lines) -> str:
+    """A drawing made of another one: in the file that this was read from, as far as that goes."""
+    read_from = getattr(source, "_read_from", None)
+    if format in ("dxf", "svg") and read_from is not None:
+        patched = _core.patched_file(*_file_first(read_from, format), source._core, output._core)
+        if not patched.why_not:
+            return patched.text
+        warnings.warn(
+            f"lines alone are written, of all elements: {patched.why_not}",
+            LossWarning,
+            stacklevel=4,
+        )
+    if format == "lines":
+        return _core.lines_text(output._core)
+    if format == "svg":
+        return _core.lines_svg(output._core)
+    if format in _FEATURE_FORMATS:
+        return _core.line_table(output._core).written(format)
+    raise Error(f"a drawing is written as {', '.join(_FORMATS)}: {format!r}")
+
+
+def _file_first(
+    read_from: tuple[str, _core.ReadOptions], format: str
+) -> tuple[str, str, _core.ReadOptions]:
+    return read_from[0], format, read_from[1]
+
+
+def _write(
+    what: Repair | Undone,
+    source: Lines,
+    path: str | os.PathLike[str],
+    format: str | None,
+    **options: Any,
+) -> None:
+    file = os.fspath(path)
+    read_from = getattr(source, "_read_from", None)
+    if read_from and os.path.exists(file) and os.path.samefile(file, read_from[0]):
+        raise Error(f"this would overwrite the drawing that was read: {file!r}")
+    chosen = format or os.path.splitext(file)[1].lstrip(".").lower()
+    text = what._written(chosen, **options)
+    _core.write_file(file, text if isinstance(text, str) else text.decode())
+
+
+def repair(
+    drawing: LinesLike,
+    /,
+    *,
+    tolerance: Tolerance = "auto",
+    weld: Tolerance | None = None,
+    grow: Tolerance | None = None,
+    trim: Tolerance | None = None,
+    sliver: Tolerance | None = None,
+    snap: Tolerance | None = None,
+    simplify: Tolerance | None = None,
+    doors: tuple[Number, Number] | None = None,
+    walls: str | Sequence[str] = (),
+    anchors: str | Sequence[str] = (),
+    except_: str | Sequence[str] = (),
+    keeps_common_sides: bool = True,
+    keeps_layers: bool = True,
+    numbers: Numbers | None = None,
+) -> Repair:
+    """Repairs line work: the least that makes it meet, and nothing that is not listed.
+
+    Lines that overlap become one, doubled ones are welded, loose ends run straight on to what they
+    meet first, dangles are trimmed, slivers given to a neighbour, doors closed by virtual lines.
+
+    Parameters
+    ----------
+    drawing : Arrangement, or whatever `lines` takes
+        The drawing.
+    tolerance : number, "auto" or False
+        One for `weld`, `grow`, `trim` and `sliver`, as far as they are not given. Sizes are in
+        drawing units; a float is the decimal that it prints as. "auto": each is chosen from the
+        drawing, and `Repair.reasons` says why, or is off where the drawing does not tell. 0,
+        False or "off": off.
+    weld : number, "auto" or False, optional
+        Lines that lie beside another one within this become one with it.
+    grow : number, "auto" or False, optional
+        Loose ends run straight on, at most so far.
+    trim : number, "auto" or False, optional
+        Loose ends that reach no further than this beyond a junction go.
+    sliver : number, "auto" or False, optional
+        Faces no wider than this go to their neighbours; nothing moves.
+    snap, simplify : number, optional
+        Ends this near to a vertex go there; vertices this near to the line between their
+        neighbours go. Off unless given.
+    doors : (number, number), optional
+        Openings as wide as that, from the least to the largest width, are closed by virtual lines
+        on the layer "plumbline-virtual". Off unless given.
+    walls : sequence of str
+        Layers whose lines have doors and block them; all by default. ``*`` and ``?`` stand for any
+        characters, in any case, here and below.
+    anchors : sequence of str
+        Layers that no edit touches, and to which others go.
+    except_ : sequence of str
+        Ids of elements that no edit touches.
+    keeps_common_sides : bool
+        Whether a side that two closed shapes have in common stays drawn by both; else it becomes
+        one line, as everything that is drawn twice.
+    keeps_layers : bool
+        Whether what two layers draw stays drawn by both.
+    numbers : {"doubles", "decimals"}, optional
+        What floats of the drawing stand for, as in `lines`.
+
+    Returns
+    -------
+    Repair
+        Which `Repair.verify` has proven. Edits depend on the geometry alone, not on order,
+        direction or repetition of the lines. What cannot be done without breaking a promise is in
+        `Repair.refused`.
+
+    Raises
+    ------
+    Error
+        For a negative size, an empty range of doors, a layer or an id that the drawing does not
+        have; as `lines`.
+
+    Notes
+    -----
+    Some times the cost of `arrange`. What each operation does, what is promised and how tolerances
+    are chosen is in docs/repair.md.
+
+    Examples
+    --------
+    >>> import plumbline
+    >>> sloppy = [(0, 0, "10.03", 0), (10, "0.02", 10, 8), (10, 8, 0, 8), (0, 8, 0, 0)]
+    >>> fixed = plumbline.repair(sloppy, tolerance=0.05)
+    >>> fixed
+    <Repair: 2 edits: 1 end grown by 0.02, 1 dangle of 0.03 trimmed; 1 room closed>
+    >>> plumbline.arrange(fixed.output).areas[1]
+    Fraction(80, 1)
+    >>> fixed.verify()
+    []
+    >>> plumbline.same(plumbline.undo(fixed.output, fixed), sloppy)
+    True
+    """
+    options = {
+        name: _tolerance(name, tolerance if value is None else value)
+        for name, value in (("weld", weld), ("grow", grow), ("trim", trim), ("sliver", sliver))
+    }
+    for name, value in (("snap", snap), ("simplify", simplify)):
+        text = "0" if value is None else _tolerance(name, value)
+        if text is None:
+            raise Error(f"{name} has no automatic size: {value!r}")
+        options[name] = text
+    others = {
+        "doors": None if doors is None else _widths(doors),
+        "walls": names(walls),
+        "anchors": names(anchors),
+        "excepted": names(except_),
+        "keeps_common_sides": keeps_common_sides,
+        "keeps_layers": keeps_layers,
+    }
+    of = drawing.lines if isinstance(drawing, Arrangement) else drawing
+    return _made(lines(of, numbers=numbers), {**options, **others})
+
+
+def _tolerance(what: str, value: Tolerance) -> str | None:
+    """As the library takes it: None is automatic."""
+    if isinstance(value, str) and value == "auto":
+        return None
+    if value is False or (isinstance(value, str) and value == "off"):
+        return "0"
+    return size_text(what, value)
+
+
+def _widths(doors: tuple[Number, Number]) -> tuple[str, str]:
+    try:
+        least, most = doors
+    except (TypeError, ValueError):
+        raise Error(f"doors are a least and a largest width: {doors!r}") from None
+    return size_text("the least width of doors", least), size_text("the largest", most)
+
+
+def _made(of: Lines, options: Mapping[str, Any]) -> Repair:
+    core_options = _core.RepairOptions()
+    for name, value in options.items():
+        setattr(core_options, name, value)
+    return Repair(_core.repair(of._core, core_options), of, options)
+
+
+def compare_rules(
+    drawing: Arrangement | LinesLike, repair: Repair, tolerance: Number | None = None
+) -> list[_core.RuleOutcome]:
+    """What rules in use make of a drawing, beside its repair: see `Repair.compare_rules`.
+
+    Raises
+    ------
+    Error
+        Where the repair is one of another drawing.
+    """
+    of = lines(drawing.lines if isinstance(drawing, Arrangement) else drawing)
+    if of is not repair.input and _signature(of) != _signature(repair.input):
+        raise Error("the repair is one of another drawing")
+    return repair.compare_rules(tolerance)
+
+
+def _signature(of: Lines) -> str:
+    return _core.rounded_signature(of._core)
+
+
+def undo(
+    output: LinesLike, log: Repair | str | os.PathLike[str] | Mapping[str, Any], /
+) -> Undone:
+    """The drawing that was repaired, of the repaired one.
+
+    Parameters
+    ----------
+    output : whatever `lines` takes
+        The repaired drawing, in any format: its segments are known by the nearest doubles of their
+        ends.
+    log : Repair, path, text or mapping
+        The repair; or what `Repair.to_json` says: a file, the text itself, or what the json module
+        makes of it.
+
+    Returns
+    -------
+    Undone
+        Lines with the sources that the input had. Its method ``write`` puts them into the file
+        that `output` was read from.
+
+    Raises
+    ------
+    Error
+        Where this is not the drawing that the repair made, where the log does not lead back, and
+        for what is no log, with its place.
+
+    Examples
+    --------
+    >>> import plumbline
+    >>> fixed = plumbline.repair([(0, 0, 3, 0), (1, 1, 1, "0.01")], grow="0.1")
+    >>> list(plumbline.undo(fixed.output, fixed.to_json())) == list(fixed.input)
+    True
+    """
+    repaired = lines(output)
+    return Undone(_core.undo(repaired._core, _log_of(log)), repaired)
+
+
+def _log_of(log: Repair | str | os.PathLike[str] | Mapping[str, Any]) -> _core.RepairLog:
+    if isinstance(log, Repair):
+        return _core.repair_log(log.input._core, log._core)
+    if isinstance(log, Mapping):
+        return _log_of_text(json.dumps(log))
+    if isinstance(log, str) and log.lstrip().startswith("{"):
+        return _log_of_text(log)
+    return _core.read_repair_log(os.fspath(log))
+
+
+def _log_of_text(text: str) -> _core.RepairLog:
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "log.json")
+        with open(file, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        try:
+            return _core.read_repair_log(file)
+        except Error as error:
+            message = str(error).replace(file, "<log>")
+            raise Error(message, "<log>", error.line, error.column, error.text) from None
