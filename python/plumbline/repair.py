@@ -190,7 +190,8 @@ class Repair:
 
         A DXF or SVG that was read from a file of that format stays that file, byte by byte, but
         for the elements that were edited; a .lines file is exact; others have nearest doubles. A
-        .json file is the log, a .html file the page.
+        new SVG has y negated where the drawing's runs upwards, as that of an array does. A .json
+        file is the log, a .html file the page.
 
         Parameters
         ----------
@@ -413,8 +414,9 @@ def repair(
     >>> plumbline.same(plumbline.undo(fixed.output, fixed), sloppy)
     True
     """
+    for_all = _tolerance("tolerance", tolerance)
     options = {
-        name: _tolerance(name, tolerance if value is None else value)
+        name: for_all if value is None else _tolerance(name, value)
         for name, value in (("weld", weld), ("grow", grow), ("trim", trim), ("sliver", sliver))
     }
     for name, value in (("snap", snap), ("simplify", simplify)):
