@@ -9,7 +9,7 @@ import numpy as np
 from plumbline import _core
 
 if TYPE_CHECKING:
-    from geopandas import GeoDataFrame  # type: ignore[import-untyped]
+    from geopandas import GeoDataFrame
 
 
 def to_geodataframe(table: _core.Table, crs: str) -> GeoDataFrame:

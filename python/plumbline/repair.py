@@ -22,7 +22,7 @@ from plumbline.lines import Lines, LinesLike, lines
 from plumbline.lists import Lists
 
 if TYPE_CHECKING:
-    from geopandas import GeoDataFrame  # type: ignore[import-untyped]
+    from geopandas import GeoDataFrame
 
 Tolerance = Union[Number, Literal["auto", "off"], bool]
 """A size in drawing units; "auto": chosen from the drawing; 0, False or "off": none."""
@@ -290,9 +290,9 @@ def _drawing_text(format: str, source: Lines, output: Lines) -> str:
             stacklevel=4,
         )
     if format == "lines":
-        return _core.lines_text(output._core)
+        return _core.exact_lines(output._core)
     if format == "svg":
-        return _core.lines_svg(output._core)
+        return _core.picture_of_lines(output._core)
     if format in _FEATURE_FORMATS:
         return _core.line_table(output._core).written(format)
     raise Error(f"a drawing is written as {', '.join(_FORMATS)}: {format!r}")
@@ -317,7 +317,7 @@ def _write(
         raise Error(f"this would overwrite the drawing that was read: {file!r}")
     chosen = format or os.path.splitext(file)[1].lstrip(".").lower()
     text = what._written(chosen, **options)
-    _core.write_file(file, text if isinstance(text, str) else text.decode())
+    _core.write_text(file, text if isinstance(text, str) else text.decode())
 
 
 def repair(

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     import networkx
-    from geopandas import GeoDataFrame  # type: ignore[import-untyped]
+    from geopandas import GeoDataFrame
 
 
 class Rooms(Sequence[_core.Room]):

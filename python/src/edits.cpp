@@ -60,9 +60,9 @@ void bind_edit_types(nb::module_& m) {
   bind_sized<Refusal>(m, "Refusal", "What would have been an edit, and why it is none.")
       .def_ro("reason", &Refusal::reason)
       .def_ro("segments", &Refusal::segments, "Of the input, ascending.");
-  nb::class_<Tolerances>(m, "Tolerances",
-                         "Up to which size each operation repairs; 0, or None: it does not.")
-      .def_ro("weld", &Tolerances::weld)
+  nb::class_<Tolerances> tolerances(
+      m, "Tolerances", "Up to which size each operation repairs; 0, or None: it does not.");
+  tolerances.def_ro("weld", &Tolerances::weld)
       .def_ro("grow", &Tolerances::grow)
       .def_ro("trim", &Tolerances::trim)
       .def_ro("sliver", &Tolerances::sliver)
@@ -76,10 +76,8 @@ void bind_edit_types(nb::module_& m) {
           },
           "Least and largest width.")
       .def("__str__", [](const Tolerances& t) { return to_text(t); })
-      .def("__repr__", [](const Tolerances& t) { return described("Tolerances", to_text(t)); })
-      .def(
-          "__eq__", [](const Tolerances& a, const Tolerances& b) { return a == b; },
-          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"));
+      .def("__repr__", [](const Tolerances& t) { return described("Tolerances", to_text(t)); });
+  define_equality(tolerances);
 }
 
 void bind_outcome_types(nb::module_& m) {
@@ -161,11 +159,8 @@ void bind_edits(nb::module_& m) {
   bind_outcome_types(m);
   Type type(m, "Repair", "A repaired drawing, and what was done to it.");
   type.def_ro("output", &Repair::output)
-      .def(
-          "origins",
-          [](nb::handle self) { return view(nb::cast<const Repair&>(self).origins, self); },
-          nb::sig("def origins(self) -> tuple[numpy.typing.NDArray[numpy.uint32], "
-                  "numpy.typing.NDArray[numpy.uint32]]"))
+      .def("origins",
+           [](nb::handle self) { return view(nb::cast<const Repair&>(self).origins, self); })
       .def_ro("edits", &Repair::edits)
       .def_ro("refused", &Repair::refused)
       .def_ro("faces", &Repair::faces)

@@ -78,18 +78,18 @@ void bind_files(nb::module_& m) {
                 "output: SegmentSet) -> PatchedFile"),
         nb::call_guard<nb::gil_scoped_release>());
   m.def(
-      "lines_text", [](const SegmentSet& set) { return to_lines(set); }, nb::arg("lines"),
-      nb::call_guard<nb::gil_scoped_release>(), "As a .lines file, exactly.");
+      "exact_lines", [](const SegmentSet& set) { return to_lines(set); }, nb::arg("lines"),
+      nb::call_guard<nb::gil_scoped_release>(), "As a .lines file.");
   m.def(
-      "lines_svg", [](const SegmentSet& set) { return to_svg(set); }, nb::arg("lines"),
-      nb::call_guard<nb::gil_scoped_release>(), "As a picture.");
+      "picture_of_lines", [](const SegmentSet& set) { return to_svg(set); }, nb::arg("lines"),
+      nb::call_guard<nb::gil_scoped_release>(), "As SVG.");
   m.def(
-      "write_file",
+      "write_text",
       [](const std::filesystem::path& file, std::string_view content) {
         write_file(file, content);
       },
       nb::arg("file"), nb::arg("content"),
-      nb::sig("def write_file(file: str, content: str) -> None"),
+      nb::sig("def write_text(file: str, content: str) -> None"),
       nb::call_guard<nb::gil_scoped_release>(), "Writes a file whole or not at all.");
 }
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import geopandas  # type: ignore[import-untyped]
+import geopandas
 import numpy as np
 import plumbline
 import pytest
