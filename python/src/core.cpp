@@ -77,6 +77,8 @@ NB_MODULE(_core, m) {
   m.attr("__version__") = PLUMBLINE_VERSION;
   bind_error(m);
   bind_geometry(m);
+  bind_affine(m);
+  bind_model(m);
   bind_structure(m);
   bind_read(m);
   bind_complex(m);
@@ -95,4 +97,5 @@ NB_MODULE(_core, m) {
   bind_rooms(m);
   bind_edits(m);
   bind_repair(m);
+  bind_lar(m);
 }

@@ -26,7 +26,10 @@ namespace nb = nanobind;
 void bind_error(nb::module_& m);
 void bind_geometry(nb::module_& m);
 void bind_state(nb::class_<SegmentSet>& type);  ///< pickling
+void bind_affine(nb::module_& m);
+void bind_model(nb::module_& m);
 void bind_structure(nb::module_& m);
+void bind_lar(nb::module_& m);
 void bind_read(nb::module_& m);
 void bind_complex(nb::module_& m);
 void bind_arrange(nb::module_& m);
