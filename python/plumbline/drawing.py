@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from typing import Any
 
 from plumbline import _core
 from plumbline._numbers import Number, Numbers, exact_text
 from plumbline.errors import Error
 from plumbline.lines import Lines, _warn_of_losses
+from plumbline.structure import Struct, Structure
 
 
 class Drawing(Lines):
@@ -17,15 +19,38 @@ class Drawing(Lines):
     Attributes
     ----------
     structure : Structure
-        The hierarchy.
+        The hierarchy: layers, blocks, groups. Printed it is a tree.
     """
 
     _read_from: tuple[str, _core.ReadOptions] | None = None
     """The file and how it was read, until it is pickled: to write it with changes."""
 
-    def __init__(self, core: _core.SegmentSet, numbers: Numbers, structure: _core.Structure):
+    def __init__(self, core: _core.SegmentSet, numbers: Numbers, structure: Structure) -> None:
         super().__init__(core, numbers)
         self.structure = structure
+
+    @property
+    def structs(self) -> list[Struct]:
+        """The Structs of the hierarchy, each once: layers, blocks, groups, the whole."""
+        return self.structure.structs
+
+    def of_category(self, category: str) -> Drawing:
+        """The lines within Structs of this category ("layer", "block", ...) alone.
+
+        Raises
+        ------
+        Error
+            Where there is none; it names those that there are.
+        """
+        part = self.structure.of_category(category)
+        return Drawing(part._core.evaluate(self.numbers == "doubles"), self.numbers, part)
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        return (*super().__getstate__(), self.structure)
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        *lines, self.structure = state
+        super().__setstate__((lines[0], lines[1]))
 
 
 def read(
@@ -99,7 +124,7 @@ def read(
     if numbers not in ("decimals", "doubles"):
         raise Error(f'numbers are "doubles" or "decimals": {numbers!r}')
     structure = _core.read(os.fspath(path), options)
-    result = Drawing(structure.evaluate(numbers == "doubles"), numbers, structure)
+    result = Drawing(structure.evaluate(numbers == "doubles"), numbers, Structure(structure))
     result._read_from = os.fspath(path), options
     _warn_of_losses(result)
     return result

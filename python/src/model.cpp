@@ -177,7 +177,8 @@ void bind_model(nb::module_& m) {
       .def_ro("dimension", &LarModel::dimension, "Coordinates per vertex.")
       .def_prop_ro("vertex_count", &LarModel::vertex_count)
       .def_prop_ro("array_count", [](const LarModel& model) { return model.cells.size(); })
-      .def("coords", &coords, "Nearest doubles of the vertices, (n, d).")
+      .def("coords", &coords, nb::sig("def coords(self) -> numpy.typing.NDArray[numpy.float64]"),
+           "Nearest doubles of the vertices, (n, d).")
       .def("point", &point, nb::arg("v"), "Exact coordinates of a vertex.")
       .def("cells", &cells, nb::arg("k"),
            nb::sig(("def cells(self, k: int) -> " + std::string(kPairSignature)).c_str()),
@@ -192,7 +193,9 @@ void bind_model(nb::module_& m) {
   nb::class_<Model>(m, "Element", "Segments of an element of a drawing, or of a table of rows.")
       .def_ro("source", &Model::source, "The element.")
       .def("__len__", [](const Model& element) { return element.segments.size(); })
-      .def("coords", &element_coords, "Nearest doubles of its segments, (n, 4).")
+      .def("coords", &element_coords,
+           nb::sig("def coords(self) -> numpy.typing.NDArray[numpy.float64]"),
+           "Nearest doubles of its segments, (n, 4).")
       .def("segment", &element_segment, nb::arg("i"), "ax, ay, bx, by, exactly.")
       .def_prop_ro(
           "rows",

@@ -188,6 +188,14 @@ void bind_making(nb::class_<Structure>& type) {
             struct_at(s, i).body.emplace_back(std::move(model));
           },
           nb::arg("i"), nb::arg("model"))
+      .def(
+          "add_element",
+          [](Structure& s, std::size_t i, Model element) {
+            element.source.file = element.source.line = element.source.column = 0;
+            for (Model::Row& row : element.rows) row.line = row.column = 0;
+            struct_at(s, i).body.emplace_back(std::move(element));
+          },
+          nb::arg("i"), nb::arg("element"), "Adds an element, which has no place any more.")
       .def("add_lines", &add_lines, nb::arg("i"), nb::arg("lines"))
       .def(
           "add_reference",

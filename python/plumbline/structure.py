@@ -1,0 +1,487 @@
+"""Hierarchies: LAR's Struct, and those of drawings."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, Union
+
+import numpy as np
+
+from plumbline import _core
+from plumbline._numbers import Numbers
+from plumbline._tree import plural, title, tree_rows
+from plumbline.errors import Error
+from plumbline.lines import Lines, _warn_of_losses
+from plumbline.maps import Map
+from plumbline.models import LarModel, ModelLike, as_model
+
+BodyItem = Union["Struct", LarModel, Map, Lines, _core.Element]
+ExactBox = tuple[tuple[Fraction, ...], tuple[Fraction, ...]]
+StructLike = Union["Struct", "Structure", ModelLike]
+"""A `Struct`, a `Structure`, or a model as LAR has them."""
+
+_SHOWN = 40  # lines of a tree that is printed
+
+
+class Struct:
+    """LAR's Struct: an ordered body of models, maps, Structs and lines. A map applies to all that
+    follows it in the same body, and to nothing else.
+
+    Immutable. A Struct that is used several times is stored once, however often and deep.
+
+    Parameters
+    ----------
+    body : iterable
+        `LarModel` or LAR's tuples (V, CV), (V, FV, EV); maps (`t`, `s`, `r`, `Map`, or a square
+        array in homogeneous coordinates); `Struct`; `Lines` and `Drawing`, with their hierarchy;
+        elements of a drawing's Structs, which then have no place in its file any more.
+    name : str
+        It stands in the paths of what comes from it.
+    category : str
+        Its kind, for `of_category`: "layer", "block", "chair", ...
+    numbers : {"decimals", "doubles"}
+        Whether floats of tuples and arrays in the body stand for the decimals that they print as,
+        0.1 for 1/10, or for what they are.
+
+    Raises
+    ------
+    Error
+        For an item that is none of these.
+
+    Notes
+    -----
+    Source: Struct of larstruct (2015), section 2.3. There the dimension is that of the first item;
+    here items of different dimensions are refused on evaluation.
+
+    Examples
+    --------
+    >>> from plumbline import Struct, box, evaluate, r, t
+    >>> square = ([(0, 0), (0, 1), (1, 0), (1, 1)], [[0, 1, 3, 2]])
+    >>> pair = Struct([square, t(2, 0), square], name="pair")
+    >>> scene = Struct([pair, r(degrees=45), Struct([r(degrees=45), pair])], name="scene")
+    >>> evaluate(scene)
+    <Lines: 16 segments of 4 items, floats as decimals>
+    >>> [[str(x) for x in corner] for corner in box(scene)]
+    [['-1', '0'], ['3', '3']]
+    >>> print(scene)
+    scene: 2 structs, 4 models when evaluated
+      pair  2 models
+      (no name)
+        pair  2 models
+    """
+
+    def __init__(
+        self,
+        body: Iterable[Any] = (),
+        name: str = "",
+        category: str = "",
+        *,
+        numbers: Numbers = "decimals",
+    ) -> None:
+        self.name = str(name)
+        self.category = str(category)
+        self._items: tuple[BodyItem, ...] | None = tuple(_item(item, numbers) for item in body)
+        self._owner: Structure | None = None
+        self._number = 0
+
+    @classmethod
+    def _of(cls, owner: Structure, number: int) -> Struct:
+        """A Struct of a structure, whose items are made when they are asked for."""
+        result = object.__new__(cls)
+        result.name = owner._core.name(number)
+        result.category = owner._core.category(number)
+        result._items = None
+        result._owner = owner
+        result._number = number
+        return result
+
+    @property
+    def body(self) -> tuple[BodyItem, ...]:
+        """Its items. What a drawing has are `Element`s: segments with their source."""
+        if self._items is None:
+            assert self._owner is not None
+            self._items = tuple(self._owner._items(self._number))
+        return self._items
+
+    def __len__(self) -> int:
+        return len(self.body)
+
+    def __iter__(self) -> Iterator[BodyItem]:
+        return iter(self.body)
+
+    def __getitem__(self, i: int) -> BodyItem:
+        return self.body[i]
+
+    @cached_property
+    def structure(self) -> Structure:
+        """It and all that it refers to, with what can be asked of that."""
+        if self._owner is not None:
+            core = self._owner._core
+            if core.root == self._number:
+                return self._owner
+            return Structure(core.with_root(self._number))
+        return Structure(_compiled(self))
+
+    @property
+    def dimension(self) -> int:
+        """Of all its models and maps; 0 where there are none."""
+        return self.structure.dimension
+
+    @property
+    def box(self) -> ExactBox | None:
+        """The least box, (low, high), as `plumbline.box` has it."""
+        return self.structure.box
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _read, (self.structure.to_json(),)
+
+    def __str__(self) -> str:
+        return str(self.structure)
+
+    def __repr__(self) -> str:
+        category = f" ({self.category})" if self.category else ""
+        return f"<Struct: {self.name or 'no name'}{category}, {len(self)} items>"
+
+
+class Structure:
+    """A hierarchy of Structs, each stored once: that of a drawing, or of a `Struct`.
+
+    Printed it is a tree: names, categories in parentheses, how often a Struct is used, and what it
+    holds itself.
+
+    See Also
+    --------
+    plumbline.read, plumbline.Struct
+    """
+
+    def __init__(self, core: _core.Structure) -> None:
+        self._core = core
+        self._made: dict[int, Struct] = {}
+
+    @classmethod
+    def from_json(cls, text: str, name: str = "<json>") -> Structure:
+        """Of the text that `to_json` writes, or of LAR's hierarchies in that form."""
+        return cls(_core.Structure.of_json(text, name))
+
+    @property
+    def root(self) -> Struct:
+        """The Struct that is the whole."""
+        number = self._core.root
+        if number is None:
+            raise Error("there is no Struct")
+        return self._struct(number)
+
+    @property
+    def structs(self) -> list[Struct]:
+        """All Structs, each once."""
+        return [self._struct(number) for number in range(len(self))]
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    def _struct(self, number: int) -> Struct:
+        if number not in self._made:
+            self._made[number] = Struct._of(self, number)
+        return self._made[number]
+
+    def _items(self, number: int) -> Iterator[BodyItem]:
+        for k in range(self._core.body_size(number)):
+            item = self._core.item(number, k)
+            if isinstance(item, int):
+                yield self._struct(item)
+            elif isinstance(item, _core.Affine):
+                yield Map._of(item)
+            elif isinstance(item, _core.Turn):
+                yield Map._of(None, f"r(degrees={item.degrees})", degrees=item.degrees)
+            elif isinstance(item, _core.LarModel):
+                yield LarModel._of(item)
+            else:
+                yield item
+
+    @property
+    def files(self) -> list[str]:
+        """Names of the files."""
+        return self._core.files
+
+    @property
+    def rejected(self) -> list[_core.Rejected]:
+        """Items of the file that were not read, and why."""
+        return self._core.rejected
+
+    @property
+    def remarks(self) -> list[_core.Remark]:
+        """What is to be said of items that were read."""
+        return self._core.remarks
+
+    @property
+    def ledger(self) -> list[_core.Replacement]:
+        """What was replaced on the way to exact numbers, rotations on evaluation included."""
+        return self._core.ledger + self._core.replaced()
+
+    @property
+    def layers(self) -> list[_core.Layer]:
+        """Layers that the file declares."""
+        return self._core.layers
+
+    @property
+    def dimension(self) -> int:
+        """Of all models and maps; 0 where there are none.
+
+        Raises
+        ------
+        Error
+            Where two are different.
+        """
+        return self._core.dimension()
+
+    @property
+    def instances(self) -> int:
+        """How many models and elements there are when each counts as often as it is used."""
+        return self._core.instance_count()
+
+    @property
+    def box(self) -> ExactBox | None:
+        """The least box, (low, high), as `plumbline.box` has it."""
+        corners = self._core.box()
+        return None if corners is None else (tuple(corners[0]), tuple(corners[1]))
+
+    def evaluate(self, *, numbers: Numbers = "decimals") -> Lines:
+        """Its lines, as `plumbline.evaluate` has them."""
+        return evaluate(self, numbers=numbers)
+
+    def models(self) -> list[LarModel]:
+        """All models under the maps above them, in traversal order: larlib's evalStruct. Elements
+        of a drawing are models (V, EV)."""
+        return [LarModel._of(core) for core in self._core.models()]
+
+    def to_lar(self, *, decimals: int | None = None, merge_cells: bool = False) -> LarModel:
+        """All of it as one model: larlib's struct2lar.
+
+        Parameters
+        ----------
+        decimals : int, optional
+            Vertices are the same when they are equal after rounding to so many, half away from
+            zero, and are rounded; by default when they are equal.
+        merge_cells : bool
+            Whether cells of the same vertices are kept once.
+        """
+        return LarModel._of(self._core.to_lar(decimals, merge_cells))
+
+    def of_category(self, category: str) -> Structure:
+        """What stands within Structs of this category.
+
+        Raises
+        ------
+        Error
+            Where there is none; it names those that there are.
+        """
+        return Structure(self._core.of_category(category))
+
+    def embed(self, k: int) -> Structure:
+        """With k more dimensions, for k < 0 with -k fewer."""
+        return Structure(self._core.embedded(k))
+
+    def to_json(self) -> str:
+        """As text that `from_json` and `plumbline.read` take; docs/json.md describes it."""
+        return self._core.to_json()
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes that text to a .json file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.to_json())
+
+    def tree(self, *, depth: int | None = None, lines: int | None = None) -> str:
+        """The tree as text, no deeper than `depth`, and of at most so many lines."""
+        text = [title(self._core)]
+        if self._core.root is not None:
+            rows = tree_rows(self._core, self._core.root, depth)
+            for row in rows:
+                if lines is not None and len(text) == lines:
+                    text.append(f"  ... {1 + sum(1 for _ in rows)} more lines")
+                    break
+                text.append(row)
+        return "\n".join(text)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether all Structs, and what is said of them, are the same."""
+        if not isinstance(other, Structure):
+            return NotImplemented
+        return self._core == other._core
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Structure.from_json, (self.to_json(),)
+
+    def __str__(self) -> str:
+        return self.tree(lines=_SHOWN)
+
+    def __repr__(self) -> str:
+        n = len(self)
+        return f"<Structure: {plural(n, 'struct')}, {plural(self.instances, 'model')} evaluated>"
+
+
+def evaluate(
+    struct: StructLike | Lines, *, numbers: Numbers = "decimals", category: str | None = None
+) -> Lines:
+    """The lines of a hierarchy of the plane: every model under the maps above it, exactly.
+
+    Parameters
+    ----------
+    struct : Struct, Structure, Drawing or model
+        Of a model its last array of cells with more than one vertex is drawn: edges, or cells as
+        the polygons of their vertices in order, else as their convex hulls.
+    numbers : {"decimals", "doubles"}
+        "doubles": what those get who read the numbers of the structure as doubles, and then
+        compute exactly.
+    category : str, optional
+        Only what stands within Structs of this category.
+
+    Returns
+    -------
+    Lines
+        In traversal order, each model an item whose path names the Structs above it. `ledger` has
+        the rotations that are not exactly those asked for.
+
+    Raises
+    ------
+    Error
+        For items of different dimensions, of others than 2; LimitError for results of more than
+        2 GB.
+
+    Examples
+    --------
+    >>> import plumbline
+    >>> edge = ([(0, 0), (1, 0)], [[0, 1]])
+    >>> plumbline.evaluate(plumbline.Struct([plumbline.t("1/3", 0), edge])).exact(0)
+    ((Fraction(1, 3), Fraction(0, 1)), (Fraction(4, 3), Fraction(0, 1)))
+    """
+    if numbers not in ("decimals", "doubles"):
+        raise Error(f'numbers are "doubles" or "decimals": {numbers!r}')
+    structure = as_structure(struct)
+    if category is not None:
+        structure = structure.of_category(category)
+    result = Lines(structure._core.evaluate(numbers == "doubles"), numbers)
+    _warn_of_losses(result)
+    return result
+
+
+def box(struct: StructLike | Lines) -> ExactBox | None:
+    """The least axis-parallel box of all vertices, after all maps: (low, high), exactly; None where
+    there are no vertices.
+
+    Notes
+    -----
+    Exact under rotations, too, where larstruct's box of a nested Struct maps two corners.
+
+    Examples
+    --------
+    >>> import plumbline
+    >>> diagonal = plumbline.Struct([plumbline.r(degrees=45), ([(0, 0), (1, 1)], [[0, 1]])])
+    >>> low, high = plumbline.box(diagonal)
+    >>> abs(float(high[1]) - 2**0.5) < 1e-15
+    True
+    """
+    return as_structure(struct).box
+
+
+def as_structure(struct: StructLike | Lines) -> Structure:
+    """A structure of whatever stands for one.
+
+    Raises
+    ------
+    Error
+        For what does not.
+    """
+    if isinstance(struct, Structure):
+        return struct
+    if isinstance(struct, Struct):
+        return struct.structure
+    structure = getattr(struct, "structure", None)
+    if isinstance(structure, Structure):  # of a Drawing
+        return structure
+    return Struct([struct]).structure
+
+
+def _item(item: Any, numbers: Numbers) -> BodyItem:
+    """An item of a body as what it stands for."""
+    if isinstance(item, (Struct, LarModel, Map, _core.Element)):
+        return item
+    if isinstance(item, Structure):
+        return item.root
+    if isinstance(item, Lines):
+        structure = getattr(item, "structure", None)
+        return structure.root if isinstance(structure, Structure) else item
+    if isinstance(item, np.ndarray) and item.ndim == 2 and item.shape[0] == item.shape[1]:
+        return Map(item, numbers=numbers)
+    if isinstance(item, (tuple, list)):
+        return as_model(item, numbers)
+    raise Error(
+        "a body holds models (V, CV), maps, Structs and Lines: "
+        f"{type(item).__name__} {item!r:.60}"
+    )
+
+
+def _compiled(root: Struct) -> _core.Structure:
+    """The Structs that Python made, each once, and the structures that others are part of."""
+    core = _core.Structure("<struct>")
+    numbers: dict[int, int] = {}
+    starts: dict[int, int] = {}  # of structures that were appended
+
+    def number_of(struct: Struct) -> int:
+        if struct._owner is None:
+            return numbers[id(struct)]
+        owner = struct._owner
+        if id(owner) not in starts:
+            starts[id(owner)] = core.append(owner._core)
+        return starts[id(owner)] + struct._number
+
+    for struct in _children_first(root):
+        parts = [number_of(item) for item in struct.body if isinstance(item, Struct)]
+        number = core.add_struct(struct.name, struct.category)
+        numbers[id(struct)] = number
+        part = iter(parts)
+        for item in struct.body:
+            if isinstance(item, Struct):
+                core.add_reference(number, next(part))
+            else:
+                _add(core, number, item)
+    core.set_root(numbers[id(root)])
+    return core
+
+
+def _children_first(root: Struct) -> Iterator[Struct]:
+    """The Structs that Python made, without recursion, each once."""
+    seen = {id(root)}
+    way = [(root, iter(root.body))]
+    while way:
+        struct, rest = way[-1]
+        for item in rest:
+            if isinstance(item, Struct) and item._owner is None and id(item) not in seen:
+                seen.add(id(item))
+                way.append((item, iter(item.body)))
+                break
+        else:
+            way.pop()
+            yield struct
+
+
+def _add(core: _core.Structure, number: int, item: BodyItem) -> None:
+    if isinstance(item, Map):
+        if item.degrees is not None:
+            core.add_turn(number, str(item.degrees))
+        else:
+            core.add_map(number, item._core, repr(item), str(item.bound))
+    elif isinstance(item, LarModel):
+        core.add_model(number, item._core)
+    elif isinstance(item, Lines):
+        core.add_lines(number, item._core)
+    elif isinstance(item, _core.Element):
+        core.add_element(number, item)
+
+
+def _read(text: str) -> Struct:
+    return Structure.from_json(text).root
