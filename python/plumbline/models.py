@@ -105,7 +105,8 @@ class LarModel:
         return 1 + self._core.array_count
 
     def __getitem__(self, i: int) -> NDArray[np.float64] | Lists:
-        return (self.V, *self.cells)[i]
+        parts: list[NDArray[np.float64] | Lists] = [self.V, *self.cells]
+        return parts[i]
 
     def __iter__(self) -> Iterator[Any]:
         yield self.V

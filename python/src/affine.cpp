@@ -64,8 +64,8 @@ std::pair<Affine, Rational> with_bound(ApproximateAffine map) {
 }  // namespace
 
 void bind_affine(nb::module_& m) {
-  nb::class_<Affine>(m, "Affine", "An exact affine map.")
-      .def_static("of_texts", &affine_of, nb::arg("dimension"), nb::arg("texts"),
+  nb::class_<Affine> type(m, "Affine", "An exact affine map.");
+  type.def_static("of_texts", &affine_of, nb::arg("dimension"), nb::arg("texts"),
                   "Of the rows of A and t, one after the other.")
       .def_static(
           "translation", [](const Texts& by) { return translation(rationals(by)); }, nb::arg("by"))
@@ -100,9 +100,8 @@ void bind_affine(nb::module_& m) {
       .def("inverse", [](const Affine& map) { return inverse(map); })
       .def(
           "embedded", [](const Affine& map, int k) { return embed(map, k); }, nb::arg("k"),
-          "In a space of k more dimensions.")
-      .def(
-          "__eq__", [](const Affine& a, const Affine& b) { return a == b; }, nb::is_operator());
+          "In a space of k more dimensions.");
+  define_equality(type);
   nb::class_<Turn>(m, "Turn", "A rotation of the plane by degrees, which is not replaced yet.")
       .def_ro("degrees", &Turn::degrees, "From +x towards +y.");
 }

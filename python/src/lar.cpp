@@ -22,7 +22,7 @@ namespace {
 using Points = nb::ndarray<const double, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
 using Pairs = nb::ndarray<const std::uint32_t, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
 
-nb::object coords_of(const std::vector<PointD>& points) {
+DoubleArray coords_of(const std::vector<PointD>& points) {
   std::vector<double> coords;
   coords.reserve(2 * points.size());
   for (const PointD& p : points) {
@@ -32,7 +32,7 @@ nb::object coords_of(const std::vector<PointD>& points) {
   return array(std::move(coords), 2);
 }
 
-nb::object pairs_of(const std::vector<lar::VertexPair>& edges) {
+IndexArray pairs_of(const std::vector<lar::VertexPair>& edges) {
   std::vector<std::uint32_t> pairs;
   pairs.reserve(2 * edges.size());
   for (const lar::VertexPair& edge : edges) {
@@ -54,10 +54,11 @@ Lists<std::uint32_t> plain(const Lists<Index<Tag>>& lists) {
   return result;
 }
 
-/// V, EV, and FV where there are faces.
-nb::tuple arrays_of(const lar::Model& model) {
-  return nb::make_tuple(coords_of(model.vertices), pairs_of(model.edges),
-                        arrays(plain(model.faces)));
+/// V, EV, FV.
+using ModelArrays = nb::typed<nb::tuple, DoubleArray, IndexArray, ListArrays>;
+ModelArrays arrays_of(const lar::Model& model) {
+  return nb::borrow<ModelArrays>(
+      nb::make_tuple(coords_of(model.vertices), pairs_of(model.edges), arrays(plain(model.faces))));
 }
 
 lar::Model model_of(const Points& points, const Pairs& edges, const CellArrays& faces) {
@@ -82,7 +83,7 @@ lar::Model model_of(const Points& points, const Pairs& edges, const CellArrays& 
 
 /// Per bounded face the vertices of its outer boundary as they are walked, then those of its holes;
 /// edges that end within it left out.
-nb::tuple face_walks(const Incidences& complex) {
+ListArrays face_walks(const Incidences& complex) {
   Lists<std::uint32_t> walks;
   std::vector<std::uint32_t> walk;
   const auto add = [&](CycleId cycle) {
@@ -100,7 +101,7 @@ nb::tuple face_walks(const Incidences& complex) {
   return arrays(std::move(walks));
 }
 
-nb::tuple face_edges(const Incidences& complex) {
+ListArrays face_edges(const Incidences& complex) {
   const Eigen::SparseMatrix<int, Eigen::RowMajor> by_rows(characteristic_fe(complex));
   Lists<std::uint32_t> rows;
   std::vector<std::uint32_t> row;
@@ -115,7 +116,8 @@ nb::tuple face_edges(const Incidences& complex) {
 }
 
 /// V, EV, FV (walks), FE of the complex.
-nb::tuple arrays_of(const lar::Result& result) {
+using ComplexArrays = nb::typed<nb::tuple, DoubleArray, IndexArray, ListArrays, ListArrays>;
+ComplexArrays arrays_of(const lar::Result& result) {
   const FloatComplex& complex = result.complex;
   std::vector<std::uint32_t> edges;
   edges.reserve(2 * complex.edges.size());
@@ -123,8 +125,9 @@ nb::tuple arrays_of(const lar::Result& result) {
     edges.push_back(static_cast<std::uint32_t>(edge.tail));
     edges.push_back(static_cast<std::uint32_t>(edge.head));
   }
-  return nb::make_tuple(coords_of(complex.vertices), array(std::move(edges), 2),
-                        face_walks(complex), face_edges(complex));
+  return nb::borrow<ComplexArrays>(nb::make_tuple(coords_of(complex.vertices),
+                                                  array(std::move(edges), 2), face_walks(complex),
+                                                  face_edges(complex)));
 }
 
 /// Where the published pipeline has no answer, why: what failed, and how.
@@ -137,21 +140,10 @@ std::string failure(const inters::Trace& trace) {
   return "larFromLines returned None: no edges form a cycle";
 }
 
-constexpr const char* kArrays = "numpy.typing.NDArray[numpy.uint32]";
-constexpr const char* kCoords = "numpy.typing.NDArray[numpy.float64]";
-
-/// "def name(arguments) -> tuple[V, EV, FV]", with FE where asked for.
-std::string signature_of(const std::string& declaration, bool with_edges) {
-  const std::string lists = std::string("tuple[") + kArrays + ", " + kArrays + "]";
-  return "def " + declaration + " -> tuple[" + kCoords + ", " + kArrays + ", " + lists +
-         (with_edges ? ", " + lists : "") + "]";
-}
-
 void bind_results(nb::module_& m) {
   nb::class_<lar::Result>(m, "LarResult", "A run of the repaired float pipeline of LAR.")
       .def(
-          "arrays", [](const lar::Result& r) { return arrays_of(r); },
-          nb::sig(signature_of("arrays(self)", true).c_str()), "V, EV, FV, FE.")
+          "arrays", [](const lar::Result& r) { return arrays_of(r); }, "V, EV, FV, FE.")
       .def_prop_ro("radius", [](const lar::Result& r) { return r.trace.radius; })
       .def_prop_ro("rounds", [](const lar::Result& r) { return r.trace.rounds.size(); })
       .def_prop_ro(
@@ -166,7 +158,7 @@ void bind_results(nb::module_& m) {
   nb::class_<inters::Trace>(m, "IntersTrace", "A run of the pipeline of LAR as published.")
       .def(
           "lar", [](const inters::Trace& t) { return arrays_of(t.lar); },
-          nb::sig(signature_of("lar(self)", false).c_str()), "V, EV of lines2lar, and no faces.")
+          "V, EV of lines2lar, and no faces.")
       .def_prop_ro("has_faces", [](const inters::Trace& t) { return bool(t.lar_from_lines); })
       .def(
           "lar_from_lines",
@@ -177,7 +169,7 @@ void bind_results(nb::module_& m) {
             }
             return arrays_of(*t.lar_from_lines);
           },
-          nb::sig(signature_of("lar_from_lines(self)", false).c_str()), "V, EV, FV.")
+          "V, EV, FV.")
       .def_prop_ro("failure", &failure, "Why there is no answer.")
       .def_prop_ro(
           "aborted", [](const inters::Trace& t) { return t.largest && t.largest->aborted; },
@@ -222,19 +214,10 @@ void bind_runs(nb::module_& m) {
                                    : lar::simplify(model, radius));
       },
       nb::arg("points"), nb::arg("edges"), nb::arg("faces"), nb::arg("radius"),
-      nb::arg("published"),
-      nb::sig(signature_of("lar_simplify(points: numpy.typing.NDArray[numpy.float64], "
-                           "edges: numpy.typing.NDArray[numpy.uint32], "
-                           "faces: tuple[numpy.typing.NDArray[numpy.uint32], "
-                           "numpy.typing.NDArray[numpy.uint32]], radius: float, published: bool)",
-                           false)
-                  .c_str()));
+      nb::arg("published"));
   m.def(
       "face_walks", [](const ExactComplex& complex) { return face_walks(complex); },
-      nb::arg("complex"),
-      nb::sig("def face_walks(complex: Complex) -> tuple[numpy.typing.NDArray[numpy.uint32], "
-              "numpy.typing.NDArray[numpy.uint32]]"),
-      "Per bounded face the vertices of its boundaries as they are walked.");
+      nb::arg("complex"), "Per bounded face the vertices of its boundaries as they are walked.");
   m.def(
       "random_lines",
       [](std::size_t n, double scaling, std::uint64_t seed) {
@@ -244,9 +227,7 @@ void bind_runs(nb::module_& m) {
         }
         return array(std::move(coords), 4);
       },
-      nb::arg("n"), nb::arg("scaling"), nb::arg("seed"),
-      nb::sig("def random_lines(n: int, scaling: float, seed: int) -> "
-              "numpy.typing.NDArray[numpy.float64]"));
+      nb::arg("n"), nb::arg("scaling"), nb::arg("seed"));
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ LarModel of_texts(std::size_t dimension, const std::vector<std::string>& texts,
   return with_cells(std::move(model), cells);
 }
 
-nb::object coords(const LarModel& model) {
+DoubleArray coords(const LarModel& model) {
   std::vector<double> values;
   values.reserve(model.coordinates.size());
   for (const Number& coordinate : model.coordinates) values.push_back(nearest_double(coordinate));
@@ -80,7 +80,7 @@ std::vector<Rational> point(const LarModel& model, std::size_t v) {
   return coordinates;
 }
 
-nb::tuple cells(nb::handle self, std::size_t k) {
+ListArrays cells(nb::handle self, std::size_t k) {
   const auto& model = nb::cast<const LarModel&>(self);
   if (k >= model.cells.size()) throw nb::index_error("there are fewer arrays of cells");
   return view(model.cells[k], self);
@@ -92,22 +92,31 @@ void ensure_facets(const LarModel& model, std::size_t k) {
               std::to_string(model.cells.size()) + " there");
 }
 
+class Int32Array : public nb::object {
+  NB_OBJECT(Int32Array, nb::object, "numpy.typing.NDArray[numpy.int32]", is_array)
+ private:
+  static bool is_array(PyObject*) { return true; }
+};
+using Csc =
+    nb::typed<nb::tuple, Int32Array, Int32Array, Int32Array, nb::typed<nb::tuple, int, int>>;
+
 /// (data, indices, indptr, shape), as SciPy's csc_array takes it.
-nb::tuple boundary(const LarModel& model, std::size_t k) {
+Csc boundary(const LarModel& model, std::size_t k) {
   ensure_facets(model, k);
   ChainMatrix matrix = boundary_mod_2(model, k);
   matrix.makeCompressed();
   const auto nonzeros = static_cast<std::size_t>(matrix.nonZeros());
-  return nb::make_tuple(
-      array(std::vector<std::int32_t>(matrix.valuePtr(), matrix.valuePtr() + nonzeros)),
-      array(std::vector<std::int32_t>(matrix.innerIndexPtr(), matrix.innerIndexPtr() + nonzeros)),
-      array(std::vector<std::int32_t>(matrix.outerIndexPtr(),
-                                      matrix.outerIndexPtr() + matrix.cols() + 1)),
+  const auto numbers = [](const int* first, std::size_t count) {
+    return array(std::vector<std::int32_t>(first, first + count));
+  };
+  return nb::borrow<Csc>(nb::make_tuple(
+      numbers(matrix.valuePtr(), nonzeros), numbers(matrix.innerIndexPtr(), nonzeros),
+      numbers(matrix.outerIndexPtr(), static_cast<std::size_t>(matrix.cols()) + 1),
       nb::make_tuple(static_cast<std::size_t>(matrix.rows()),
-                     static_cast<std::size_t>(matrix.cols())));
+                     static_cast<std::size_t>(matrix.cols()))));
 }
 
-nb::object element_coords(const Model& element) {
+DoubleArray element_coords(const Model& element) {
   std::vector<double> values;
   values.reserve(4 * element.segments.size());
   for (std::size_t i = 0; i < element.segments.size(); ++i) {
@@ -131,9 +140,6 @@ std::vector<std::string> texts_of(const Model& element) {
   return texts;
 }
 
-constexpr const char* kPairSignature =
-    "tuple[numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.uint32]]";
-
 void bind_operations(nb::class_<LarModel>& type) {
   type.def(
           "mapped", [](const LarModel& model, const Affine& map) { return apply(map, model); },
@@ -142,9 +148,6 @@ void bind_operations(nb::class_<LarModel>& type) {
           "embedded", [](const LarModel& model, int k) { return embed(model, k); }, nb::arg("k"),
           nb::call_guard<nb::gil_scoped_release>(), "With k coordinates 0 more, or -k fewer.")
       .def("boundary", &boundary, nb::arg("k"),
-           nb::sig("def boundary(self, k: int) -> tuple[numpy.typing.NDArray[numpy.int32], "
-                   "numpy.typing.NDArray[numpy.int32], numpy.typing.NDArray[numpy.int32], "
-                   "tuple[int, int]]"),
            "Facets x cells mod 2, as SciPy's csc_array takes it.")
       .def(
           "boundary_cells",
@@ -152,15 +155,10 @@ void bind_operations(nb::class_<LarModel>& type) {
             ensure_facets(model, k);
             return array(boundary_cells(model, k));
           },
-          nb::arg("k"),
-          nb::sig("def boundary_cells(self, k: int) -> numpy.typing.NDArray[numpy.uint32]"),
-          "The facets that an odd number of the cells hold.")
+          nb::arg("k"), "The facets that an odd number of the cells hold.")
       .def("boundary_of_all", &boundary_of_all, nb::call_guard<nb::gil_scoped_release>())
-      .def(
-          "boundary_polylines",
-          [](const LarModel& model) { return arrays(boundary_polylines(model)); },
-          nb::sig("def boundary_polylines(self) -> "
-                  "tuple[numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.uint32]]"))
+      .def("boundary_polylines",
+           [](const LarModel& model) { return arrays(boundary_polylines(model)); })
       .def(
           "to_json", [](const LarModel& model) { return to_json(model); },
           nb::call_guard<nb::gil_scoped_release>());
@@ -181,11 +179,9 @@ void bind_model(nb::module_& m) {
            "Nearest doubles of the vertices, (n, d).")
       .def("point", &point, nb::arg("v"), "Exact coordinates of a vertex.")
       .def("cells", &cells, nb::arg("k"),
-           nb::sig(("def cells(self, k: int) -> " + std::string(kPairSignature)).c_str()),
            "An array of cells as (indptr, indices), those of the highest dimension first.")
-      .def_ro("source", &LarModel::source, "The element that it is.")
-      .def(
-          "__eq__", [](const LarModel& a, const LarModel& b) { return a == b; }, nb::is_operator());
+      .def_ro("source", &LarModel::source, "The element that it is.");
+  define_equality(type);
   bind_operations(type);
   m.def("cuboids", &cuboids, nb::arg("shape"), nb::arg("skeletons"),
         nb::call_guard<nb::gil_scoped_release>(), "The grid of unit cubes.");
@@ -193,9 +189,7 @@ void bind_model(nb::module_& m) {
   nb::class_<Model>(m, "Element", "Segments of an element of a drawing, or of a table of rows.")
       .def_ro("source", &Model::source, "The element.")
       .def("__len__", [](const Model& element) { return element.segments.size(); })
-      .def("coords", &element_coords,
-           nb::sig("def coords(self) -> numpy.typing.NDArray[numpy.float64]"),
-           "Nearest doubles of its segments, (n, 4).")
+      .def("coords", &element_coords, "Nearest doubles of its segments, (n, 4).")
       .def("segment", &element_segment, nb::arg("i"), "ax, ay, bx, by, exactly.")
       .def_prop_ro(
           "rows",

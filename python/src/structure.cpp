@@ -112,10 +112,8 @@ void bind_reading(nb::class_<Structure>& type) {
       .def("item", &item, nb::arg("i"), nb::arg("k"),
            nb::sig("def item(self, i: int, k: int) -> Affine | Turn | Element | LarModel | int"),
            "An item of a body; a reference as the number of its Struct.")
-      .def("contents", &contents, nb::arg("i"))
-      .def(
-          "__eq__", [](const Structure& a, const Structure& b) { return a == b; },
-          nb::is_operator());
+      .def("contents", &contents, nb::arg("i"));
+  define_equality(type);
 }
 
 void bind_questions(nb::class_<Structure>& type) {
