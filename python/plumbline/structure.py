@@ -68,9 +68,7 @@ class Struct:
     [['-1', '0'], ['3', '3']]
     >>> print(scene)
     scene: 2 structs, 4 models when evaluated
-      pair  2 models
-      (no name)
-        pair  2 models
+      pair x 2  2 models
     """
 
     def __init__(
@@ -143,14 +141,14 @@ class Struct:
 
     def __repr__(self) -> str:
         category = f" ({self.category})" if self.category else ""
-        return f"<Struct: {self.name or 'no name'}{category}, {len(self)} items>"
+        return f"<Struct: {self.name or 'no name'}{category}, {plural(len(self), 'item')}>"
 
 
 class Structure:
     """A hierarchy of Structs, each stored once: that of a drawing, or of a `Struct`.
 
-    Printed it is a tree: names, categories in parentheses, how often a Struct is used, and what it
-    holds itself.
+    Printed it is a tree: names, categories in parentheses, how often a Struct is used there, and
+    what it holds itself.
 
     See Also
     --------

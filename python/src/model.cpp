@@ -140,6 +140,13 @@ std::vector<std::string> texts_of(const Model& element) {
   return texts;
 }
 
+std::string element_text(const Model& element) {
+  const Source& source = element.source;
+  std::string text = "<Element: " + source.element;
+  if (!source.id.empty()) text += " " + source.id;
+  return text + ", " + std::to_string(element.segments.size()) + " segments>";
+}
+
 void bind_operations(nb::class_<LarModel>& type) {
   type.def(
           "mapped", [](const LarModel& model, const Affine& map) { return apply(map, model); },
@@ -189,6 +196,7 @@ void bind_model(nb::module_& m) {
   nb::class_<Model>(m, "Element", "Segments of an element of a drawing, or of a table of rows.")
       .def_ro("source", &Model::source, "The element.")
       .def("__len__", [](const Model& element) { return element.segments.size(); })
+      .def("__repr__", &element_text)
       .def("coords", &element_coords, "Nearest doubles of its segments, (n, 4).")
       .def("segment", &element_segment, nb::arg("i"), "ax, ay, bx, by, exactly.")
       .def_prop_ro(
