@@ -23,6 +23,10 @@ SQUARE = ([(0, 0), (0, 1), (1, 0), (1, 1)], [[0, 1, 3, 2]])
 EDGE = ([(0, 0), (1, 0)], [[0, 1]])
 
 
+def exact(*values: int | Fraction) -> tuple[Fraction, ...]:
+    return tuple(map(Fraction, values))
+
+
 def built(document: dict[str, Any]) -> Struct:
     """A recorded structure, of the maps, models and Structs that users make."""
     made: dict[str, Any] = {}
@@ -127,7 +131,7 @@ def test_boxes_are_those_of_the_vertices_where_the_original_maps_corners(
 def test_twice_45_degrees_is_a_quarter_turn_exactly() -> None:
     half = Struct([r(degrees=45), SQUARE])
     twice = Struct([t(3, 5), Struct([r(degrees=45), s(2, 2), half])])
-    assert plumbline.box(twice) == ((1, 5), (3, 7))
+    assert plumbline.box(twice) == (exact(1, 5), exact(3, 7))
     quarter = Struct([t(3, 5), r(degrees=90), s(2, 2), SQUARE])
     assert plumbline.same(plumbline.evaluate(twice), plumbline.evaluate(quarter))
     assert plumbline.evaluate(twice).ledger == []
@@ -136,7 +140,7 @@ def test_twice_45_degrees_is_a_quarter_turn_exactly() -> None:
 def test_a_half_of_it_is_an_isometry_and_says_what_it_stands_for() -> None:
     lines = plumbline.evaluate(Struct([r(degrees=45), EDGE]))
     (ax, ay), (bx, by) = lines.exact(0)
-    assert (ax, ay) == (0, 0)
+    assert (ax, ay) == exact(0, 0)
     assert bx * bx + by * by == 1
     assert abs(math.atan2(by, bx) - math.pi / 4) < 2e-15
     assert [item.bound.split()[1] for item in lines.ledger] == ["rad"]
@@ -144,15 +148,15 @@ def test_a_half_of_it_is_an_isometry_and_says_what_it_stands_for() -> None:
 
 def test_radians_of_a_quarter_turn_are_one_and_others_are_in_the_ledger() -> None:
     assert r(math.pi / 2) == Map([[0, -1, 0], [1, 0, 0]])
-    assert r(0, 0, -math.pi / 2).apply((1, 0, 0)) == (0, -1, 0)
+    assert r(0, 0, -math.pi / 2).apply((1, 0, 0)) == exact(0, -1, 0)
     lines = plumbline.evaluate(Struct([r(1), EDGE]))
     assert [item.what for item in lines.ledger] == ["r(1)"]
 
 
 def test_floats_are_decimals_unless_doubles_are_asked_for() -> None:
     tenth = Fraction(0.1)
-    assert t(0.1, 0).apply((0, 0)) == (Fraction(1, 10), 0)
-    assert t(0.1, 0, numbers="doubles").apply((0, 0)) == (tenth, 0)
+    assert t(0.1, 0).apply((0, 0)) == exact(Fraction(1, 10), 0)
+    assert t(0.1, 0, numbers="doubles").apply((0, 0)) == exact(tenth, 0)
     assert LarModel(np.array([[0.1, 0]])).exact(0)[0] == Fraction(1, 10)
     assert LarModel(np.array([[0.1, 0]]), numbers="doubles").exact(0)[0] == tenth
     model = Struct([([(0.1, 0)], [])], numbers="doubles").body[0]
@@ -184,8 +188,8 @@ def test_maps_in_a_body_are_their_product(maps: list[Map], x: Fraction, y: Fract
         product = product @ one
     (model,) = plumbline.lar.evalStruct(Struct([*maps, ([(x, y)], [[0]])]))
     assert model.exact(0) == product.apply((x, y))
-    rows = [sum(a * b for a, b in zip(row, (x, y, 1), strict=True)) for row in product.exact]
-    assert (*model.exact(0), 1) == tuple(rows)
+    rows = [a * x + b * y + c for a, b, c in product.exact]
+    assert [*model.exact(0), 1] == rows
 
 
 @settings(max_examples=40, deadline=None)
@@ -205,7 +209,7 @@ def test_a_struct_that_is_used_often_is_stored_once() -> None:
         struct = Struct([struct, t(1, 0), struct])
     assert len(struct.structure) == 41
     assert struct.structure.instances == 2**40
-    assert plumbline.box(struct) == ((0, 0), (41, 0))
+    assert plumbline.box(struct) == (exact(0, 0), exact(41, 0))
 
 
 def test_depth_is_limited_by_memory_alone() -> None:
@@ -213,7 +217,7 @@ def test_depth_is_limited_by_memory_alone() -> None:
     for _ in range(20 * sys.getrecursionlimit()):
         struct = Struct([t(1, 0), struct])
     (model,) = plumbline.lar.evalStruct(struct)
-    assert model.exact(0) == (20 * sys.getrecursionlimit(), 0)
+    assert model.exact(0) == exact(20 * sys.getrecursionlimit(), 0)
 
 
 def test_models_of_any_dimension_unpack_as_tuples_do() -> None:
@@ -274,7 +278,9 @@ def test_pickling_and_json_keep_structs_maps_and_models() -> None:
     ):
         assert plumbline.same(plumbline.evaluate(again), plumbline.evaluate(struct))
         assert again.name == "a"
-        assert again.body[2].category == "block"
+        block = again.body[2]
+        assert isinstance(block, Struct)
+        assert block.category == "block"
     model = LarModel([("1/3", 0, 7)], [[0]])
     for one in (t("1/3", 0), r(degrees=45), r(1, 2, 3), model):
         assert pickle.loads(pickle.dumps(one)) == one
@@ -313,7 +319,7 @@ def test_a_drawing_in_a_struct_is_the_drawing(examples: Path) -> None:
 def test_lines_in_a_struct_keep_items_layers_and_rejections() -> None:
     lines = plumbline.lines([(0, 0, 1, 0), (2, 2, 2, 2)], ids=["a", "b"], layers=["W", "W"])
     placed = plumbline.evaluate(Struct([t(0, "1/3"), lines]))
-    assert placed.exact(0) == ((0, Fraction(1, 3)), (1, Fraction(1, 3)))
+    assert placed.exact(0) == (exact(0, Fraction(1, 3)), exact(1, Fraction(1, 3)))
     assert placed.source(0).id == "a"
     assert placed.source(0).layer == "W"
     assert [item.source.id for item in placed.rejected] == ["b"]
