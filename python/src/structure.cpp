@@ -78,6 +78,31 @@ std::vector<LarModel> models(const Structure& structure) {
   return result;
 }
 
+Structure with_root(const Structure& structure, std::size_t root) {
+  struct_at(structure, root);
+  dimension(structure);  // refuses references that lead nowhere
+  Structure result = structure;
+  result.structs.clear();
+  result.root = StructId(0);
+  std::vector<StructId> number(structure.structs.size());
+  std::vector<std::size_t> reached{root};
+  number[root] = StructId(0);
+  for (std::size_t r = 0; r < reached.size(); ++r) {
+    Struct copy = structure.structs[reached[r]];
+    for (Struct::Item& held : copy.body) {
+      auto* id = std::get_if<StructId>(&held);
+      if (id == nullptr) continue;
+      if (!number[*id].valid()) {
+        number[*id] = StructId(reached.size());
+        reached.push_back(*id);
+      }
+      *id = number[*id];
+    }
+    result.structs.push_back(std::move(copy));
+  }
+  return result;
+}
+
 using Corners = std::pair<std::vector<Rational>, std::vector<Rational>>;
 
 std::optional<Corners> box_of(const Structure& structure) {
@@ -151,14 +176,8 @@ void bind_questions(nb::class_<Structure>& type) {
       .def(
           "replaced", [](const Structure& s) { return replaced_rotations(s); },
           nb::call_guard<nb::gil_scoped_release>(), "Rotations that are replaced on evaluation.")
-      .def(
-          "with_root",
-          [](Structure s, std::size_t i) {
-            struct_at(s, i);
-            s.root = StructId(i);
-            return s;
-          },
-          nb::arg("i"), "The same, of which another Struct is the whole.")
+      .def("with_root", &with_root, nb::arg("i"), nb::call_guard<nb::gil_scoped_release>(),
+           "Another Struct as the whole, with what it refers to.")
       .def(
           "to_json", [](const Structure& s) { return to_json(s); },
           nb::call_guard<nb::gil_scoped_release>())

@@ -331,6 +331,7 @@ def test_the_layers_of_a_drawing_can_be_taken_apart(examples: Path) -> None:
     drawing = plumbline.read(examples / "flat.dxf")
     layer = next(struct for struct in drawing.structs if struct.category == "layer" and len(struct))
     alone = plumbline.evaluate(layer)
+    assert len(layer.structure) < len(drawing.structs)
     elements = [item for item in layer if not isinstance(item, (Struct, Map))]
     again = plumbline.evaluate(Struct(elements))
     assert 0 < len(alone) < len(drawing)
