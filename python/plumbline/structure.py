@@ -164,6 +164,12 @@ class Structure:
         """Of the text that `to_json` writes, or of LAR's hierarchies in that form."""
         return cls(_core.Structure.of_json(text, name))
 
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Structure:
+        """The hierarchy of a file, of any dimension, without its lines. `plumbline.read` has both,
+        and says how files are read."""
+        return cls(_core.read(os.fspath(path), _core.ReadOptions()))
+
     @property
     def root(self) -> Struct:
         """The Struct that is the whole."""
@@ -249,6 +255,19 @@ class Structure:
     def evaluate(self, *, numbers: Numbers = "decimals") -> Lines:
         """Its lines, as `plumbline.evaluate` has them."""
         return evaluate(self, numbers=numbers)
+
+    def view(self) -> Lines:
+        """Lines to look at: as `evaluate`, and of space in an oblique view, (x + y/2, z + y/4),
+        exactly.
+
+        Raises
+        ------
+        Error
+            For another dimension than 2 or 3.
+        """
+        result = Lines(self._core.drawn(), "decimals")
+        _warn_of_losses(result)
+        return result
 
     def models(self) -> list[LarModel]:
         """All models under the maps above them, in traversal order: larlib's evalStruct. Elements

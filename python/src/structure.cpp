@@ -149,6 +149,8 @@ void bind_questions(nb::class_<Structure>& type) {
           },
           nb::arg("doubles"), nb::call_guard<nb::gil_scoped_release>(),
           "Its segments; with `doubles` of what its numbers are as nearest doubles.")
+      .def("drawn", &drawn, nb::call_guard<nb::gil_scoped_release>(),
+           "Its segments; of space those of an oblique view.")
       .def(
           "dimension", [](const Structure& s) { return dimension(s); },
           nb::call_guard<nb::gil_scoped_release>())

@@ -349,3 +349,22 @@ def test_a_pickled_drawing_keeps_its_hierarchy(examples: Path) -> None:
     assert [(x.name, x.category) for x in again.structs] == [
         (x.name, x.category) for x in drawing.structs
     ]
+
+
+def test_structures_of_space_are_read_and_looked_at_from_aside(examples: Path) -> None:
+    cubes = Structure.read(examples.parent / "structures" / "cubes.json")
+    assert cubes.dimension == 3
+    assert cubes.instances == len(cubes.models())
+    cube = Struct([plumbline.lar.larCuboids([1, 1, 1], full=True)])
+    assert {x for line in cube.structure.view() for x, _ in line} == {
+        Fraction(n, 2) for n in range(4)
+    }
+    with pytest.raises(plumbline.Error, match="dimension"):
+        plumbline.evaluate(cubes)
+
+
+def test_the_tables_of_the_examples_are_the_same_flat_and_nested(examples: Path) -> None:
+    folder = examples.parent / "structures"
+    flat, local = (plumbline.read(folder / f"table_{name}.json") for name in ("flat", "local"))
+    assert {struct.name for struct in local.structs} >= {"table", "chair"}
+    assert plumbline.same(flat, local)
