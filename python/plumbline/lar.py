@@ -16,6 +16,7 @@ LinearAlgebraicRepresentation.jl. Variants:
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, Union
@@ -26,7 +27,8 @@ from numpy.typing import ArrayLike, NDArray
 from plumbline import _core
 from plumbline._numbers import Number, Numbers, exact_text
 from plumbline.arrangement import arrange as exact_arrangement
-from plumbline.errors import Error
+from plumbline.drawing import read
+from plumbline.errors import Error, FileError
 from plumbline.lines import Lines, LinesLike, lines
 from plumbline.lists import Lists
 from plumbline.maps import Map, r, s, t
@@ -63,6 +65,7 @@ __all__ = [
     "s",
     "stages",
     "struct2lar",
+    "svg2lines",
     "t",
     "to_julia",
 ]
@@ -235,6 +238,49 @@ def stages(
         raise Error(f'variants are "repaired" and "published": {variant!r}')
     result: dict[str, Any] = json.loads(text)
     return result
+
+
+def svg2lines(
+    filename: str | os.PathLike[str],
+    variant: Literal["exact", "published"] = "exact",
+    *,
+    rect2lines: bool = True,
+) -> Lines:
+    """The lines of an SVG file on the unit square: the longer side of the drawing becomes 1, its
+    left edge 0, its top 1; y upwards.
+
+    Parameters
+    ----------
+    filename : path
+    variant : {"exact", "published"}
+        Exact: all that `plumbline.read` reads, mapped exactly. Published: `line` and `rect`
+        elements that stand on a text line of their own, with their attributes in one order;
+        integers are divided as integers; four decimals.
+    rect2lines : bool
+        Published: whether rectangles are their sides, or one diagonal.
+
+    Raises
+    ------
+    Error
+        As `plumbline.read`; published: what the original raises.
+
+    Notes
+    -----
+    Source: svg2lines of inters (2015), section 4.
+    """
+    if variant == "exact":
+        if not rect2lines:
+            raise Error("rectangles as diagonals are the published variant's: rect2lines=False")
+        drawing = read(filename)
+        return Lines(_core.lar_unit_square(drawing._core), drawing.numbers)
+    if variant != "published":
+        raise Error(f'variants are "exact" and "published": {variant!r}')
+    try:
+        with open(filename, encoding="utf-8") as file:
+            svg = file.read()
+    except OSError as error:
+        raise FileError(f"{os.fspath(filename)}: {error.strerror}") from error
+    return lines(_core.inters_svg_lines(svg, rect2lines), numbers="doubles")
 
 
 def lines2lar(

@@ -13,6 +13,7 @@
 #include "plumbline/chains.hpp"
 #include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/inters_show.hpp"
+#include "plumbline/engines/inters_stages.hpp"
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/pipeline.hpp"
 
@@ -30,6 +31,15 @@ DoubleArray coords_of(const std::vector<PointD>& points) {
     coords.push_back(p.y);
   }
   return array(std::move(coords), 2);
+}
+
+DoubleArray coords_of(const std::vector<SegmentD>& segments) {
+  std::vector<double> coords;
+  coords.reserve(4 * segments.size());
+  for (const SegmentD& s : segments) {
+    for (const double c : {s.a.x, s.a.y, s.b.x, s.b.y}) coords.push_back(c);
+  }
+  return array(std::move(coords), 4);
 }
 
 IndexArray pairs_of(const std::vector<lar::VertexPair>& edges) {
@@ -197,6 +207,14 @@ void bind_runs(nb::module_& m) {
       },
       nb::arg("input"), nb::arg("decimals"), nb::arg("radius"), nb::arg("unit_square"),
       nb::arg("threads"), nb::call_guard<nb::gil_scoped_release>());
+  m.def(
+      "inters_svg_lines",
+      [](const std::string& svg, bool rectangles_as_sides) {
+        const inters::Vcode vcode(inters::kDecimals);
+        return coords_of(inters::svg_to_lines(svg, rectangles_as_sides, vcode));
+      },
+      nb::arg("svg"), nb::arg("rectangles_as_sides"),
+      "The lines (n, 4) that the published svg2lines reads.");
   m.def("lar_unit_square", &lar::to_unit_square, nb::arg("input"),
         nb::call_guard<nb::gil_scoped_release>(), "The drawing on the unit square, exactly.");
   m.def(
@@ -221,11 +239,7 @@ void bind_runs(nb::module_& m) {
   m.def(
       "random_lines",
       [](std::size_t n, double scaling, std::uint64_t seed) {
-        std::vector<double> coords;
-        for (const SegmentD& s : random_lines(n, scaling, seed)) {
-          for (const double c : {s.a.x, s.a.y, s.b.x, s.b.y}) coords.push_back(c);
-        }
-        return array(std::move(coords), 4);
+        return coords_of(random_lines(n, scaling, seed));
       },
       nb::arg("n"), nb::arg("scaling"), nb::arg("seed"));
 }

@@ -59,6 +59,30 @@ def test_larFromLines_published_is_the_original_in_its_order(recorded: list[Case
     assert cases >= 55
 
 
+def test_svg2lines_published_reads_as_the_original_read(test_data: Path, tmp_path: Path) -> None:
+    cases = json.loads((test_data / "svg2lines.json").read_text())
+    file = tmp_path / "drawing.svg"
+    for case in cases:
+        file.write_text(case["svg"])
+        if case["errors"] is not None:
+            with pytest.raises(plumbline.Error):
+                lar.svg2lines(file, "published")
+            continue
+        for sides, name in ((True, "lines"), (False, "diagonals")):
+            found = lar.svg2lines(file, "published", rect2lines=sides)
+            with_length = [[*a, *b] for a, b in case[name] if a != b]
+            assert found.coords.tolist() == with_length, case["case"]
+    with pytest.raises(OSError):
+        lar.svg2lines(tmp_path / "there-is-none.svg", "published")
+
+
+def test_svg2lines_exact_keeps_the_drawing_s_arrangement(examples: Path) -> None:
+    plan = examples / "office-plan.svg"
+    unit = lar.svg2lines(plan)
+    assert unit.coords.reshape(-1, 2).max() == 1
+    assert plumbline.arrange(unit).counts == plumbline.arrange(plan).counts
+
+
 def test_stages_are_those_of_the_original(recorded: list[Case]) -> None:
     for case in recorded[:40]:
         outputs = lar.stages(case["lines"], "published")["outputs"]
