@@ -6,14 +6,7 @@ plane into, exactly. ``plumbline.arrange(anything)`` is where to begin.
 
 from plumbline import lar
 from plumbline._core import __version__
-from plumbline.arrangement import (
-    Arrangement,
-    Points,
-    arrange,
-    same,
-    signature,
-    validate,
-)
+from plumbline.arrangement import Arrangement, arrange, same, signature, validate
 from plumbline.drawing import Drawing, read
 from plumbline.errors import Error, FileError, InternalError, LimitError, LossWarning
 from plumbline.lar import random_lines
@@ -21,14 +14,20 @@ from plumbline.lines import Lines, lines
 from plumbline.lists import Lists
 from plumbline.maps import Map, r, s, t
 from plumbline.models import LarModel
+from plumbline.noding import Sourced, node, polygonize, polygonize_full
+from plumbline.points import Points
+from plumbline.polygons import FacePolygons, Triangles, triangulate
 from plumbline.repair import Repair, Undone, compare_rules, repair, undo
 from plumbline.rooms import Rooms, rooms
+from plumbline.rounding import RoundedArrangement, snap_round
 from plumbline.structure import Struct, Structure, box, evaluate
+from plumbline.write import write
 
 __all__ = [
     "Arrangement",
     "Drawing",
     "Error",
+    "FacePolygons",
     "FileError",
     "InternalError",
     "LarModel",
@@ -40,8 +39,11 @@ __all__ = [
     "Points",
     "Repair",
     "Rooms",
+    "RoundedArrangement",
+    "Sourced",
     "Struct",
     "Structure",
+    "Triangles",
     "Undone",
     "__version__",
     "arrange",
@@ -50,6 +52,9 @@ __all__ = [
     "evaluate",
     "lar",
     "lines",
+    "node",
+    "polygonize",
+    "polygonize_full",
     "r",
     "random_lines",
     "read",
@@ -58,7 +63,10 @@ __all__ = [
     "s",
     "same",
     "signature",
+    "snap_round",
     "t",
+    "triangulate",
     "undo",
     "validate",
+    "write",
 ]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import json
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,54 +17,16 @@ from plumbline._progress import Progress, told
 from plumbline.errors import Error
 from plumbline.lines import ExactPoint, Lines, LinesLike, lines
 from plumbline.lists import Lists
+from plumbline.points import Points
 
 if TYPE_CHECKING:
+    import geopandas
+    import networkx
+    import pyarrow
     import scipy.sparse
 
-
-class Points(Sequence[ExactPoint]):
-    """Exact coordinates, made when asked for: `points[i]` is a pair of Fractions."""
-
-    def __init__(self, core: _core.Complex) -> None:
-        self._core = core
-
-    def __len__(self) -> int:
-        return self._core.counts().vertices
-
-    @overload
-    def __getitem__(self, i: int) -> ExactPoint: ...
-    @overload
-    def __getitem__(self, i: slice) -> list[ExactPoint]: ...
-    def __getitem__(self, i: int | slice) -> ExactPoint | list[ExactPoint]:
-        if isinstance(i, slice):
-            return [self._core.point(k) for k in range(len(self))[i]]
-        return self._core.point(range(len(self))[i])
-
-    def __iter__(self) -> Iterator[ExactPoint]:
-        for i in range(len(self)):
-            yield self._core.point(i)
-
-    def fractions(self) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Numerators and denominators in lowest terms, (V, 2) each: int64 where all fit, else
-        arrays of ints."""
-        small = self._core.small_fractions()
-        if small is not None:
-            return small[:, 0::2], small[:, 1::2]
-        numerators = np.empty((len(self), 2), dtype=object)
-        denominators = np.empty((len(self), 2), dtype=object)
-        for i, point in enumerate(self):
-            numerators[i] = [c.numerator for c in point]
-            denominators[i] = [c.denominator for c in point]
-        return numerators, denominators
-
-    def mpq(self) -> list[tuple[Any, Any]]:
-        """All points as pairs of gmpy2's mpq, for fast exact arithmetic. Needs gmpy2."""
-        import gmpy2
-
-        return [(gmpy2.mpq(x), gmpy2.mpq(y)) for x, y in self]
-
-    def __repr__(self) -> str:
-        return f"<Points: {len(self)} exact points>"
+    from plumbline.polygons import FacePolygons
+    from plumbline.rounding import RoundedArrangement
 
 
 class Arrangement:
@@ -74,14 +37,28 @@ class Arrangement:
     lexicographically first; face 0 is the unbounded one. Halfedge ``2 e`` runs along edge ``e``,
     ``2 e + 1`` against it; each has a face on its left.
 
+    Attributes
+    ----------
+    lines : Lines
+        The line work that it is of.
+    labels : pandas.Index or None
+        Names of the items, where the line work was a GeoDataFrame or a GeoSeries: its index.
+
     See Also
     --------
     plumbline.arrange
     """
 
-    def __init__(self, core: _core.Complex, lines: Lines) -> None:
+    def __init__(self, core: _core.Complex, lines: Lines, labels: Any | None = None) -> None:
         self._core = core
         self.lines = lines
+        self.labels = labels
+        self._doubles: RoundedArrangement | None = None
+
+    @property
+    def exact(self) -> Arrangement:
+        """Itself; of a rounded one, the arrangement that was rounded."""
+        return self
 
     # Vertices.
 
@@ -113,6 +90,12 @@ class Arrangement:
         """Per edge the items of the input that cover it (rows, geometries, elements), ascending,
         each once."""
         return Lists(*self._core.edge_items(self.lines._core))
+
+    @cached_property
+    def face_sources(self) -> Lists:
+        """Per face (the unbounded one, too) the items of the input that bound it or end within
+        it, ascending, each once."""
+        return Lists(*_core.face_items(self._core, self.lines._core))
 
     @cached_property
     def antennas(self) -> NDArray[np.intp]:
@@ -159,6 +142,11 @@ class Arrangement:
         return self._core.face_depth()
 
     @cached_property
+    def parent(self) -> NDArray[np.uint32]:
+        """Per face the face that it, or the connected component that it is of, lies in."""
+        return _core.face_parents(self._core)
+
+    @cached_property
     def vertex_component(self) -> NDArray[np.uint32]:
         """Per vertex its connected component."""
         return self._core.vertex_component()
@@ -177,6 +165,11 @@ class Arrangement:
     def areas(self) -> list[Fraction]:
         """The same, exactly."""
         return self._core.face_areas()
+
+    @cached_property
+    def perimeter(self) -> NDArray[np.float64]:
+        """Per face the length of its boundary, rounded; edges with it on both sides left out."""
+        return _core.perimeters(self._core)
 
     def interior_point(self, face: int) -> ExactPoint:
         """A point inside a bounded face, exactly."""
@@ -220,6 +213,182 @@ class Arrangement:
         ``d1 @ d2`` is 0."""
         return _csc(self._core.boundary_2())
 
+    # In other programs' words. Coordinates are those of `rounded()`. Where that has the same
+    # incidences, which is nearly always, cells have the numbers that they have here; else those of
+    # `rounded()`, whose `face_origin` leads back.
+
+    def rounded(
+        self, decimals: int | None = None, *, progress: Progress = None
+    ) -> RoundedArrangement:
+        """The arrangement with coordinates that are doubles, or decimals, proven to be a valid
+        one: see `plumbline.snap_round`. That in doubles is kept."""
+        from plumbline.rounding import snap_round
+
+        if decimals is not None:
+            return snap_round(self, decimals=decimals, progress=progress)
+        if self._doubles is None:
+            self._doubles = snap_round(self, progress=progress)
+        return self._doubles
+
+    def _in_doubles(self, decimals: int | None = None) -> RoundedArrangement:
+        """The same, for what holds doubles."""
+        rounded = self.rounded(decimals)
+        if not rounded.valid_as_doubles:
+            raise Error(
+                f"doubles are too coarse for these {rounded.decimals} decimals: ask for fewer, or "
+                "for a .json or .lines file"
+            )
+        return rounded
+
+    def _placed(self) -> tuple[Arrangement, NDArray[np.float64]]:
+        """Cells and places of their vertices that are proven to be valid together."""
+        rounded = self._in_doubles()
+        if rounded is self or not rounded.has_same_incidences:
+            return rounded, rounded.vertices
+        return self, rounded.vertices[rounded.vertex_image]
+
+    @cached_property
+    def polygons(self) -> FacePolygons:
+        """The bounded faces as valid polygons, in arrays, without shapely."""
+        from plumbline.polygons import polygons_of
+
+        base, coords = self._placed()
+        return polygons_of(base._core, coords)
+
+    def to_shapely(self) -> NDArray[np.object_]:
+        """The bounded faces as shapely's polygons, all valid, none over another: the first is
+        face 1. Needs shapely.
+
+        Edges that end within a face are left out of its polygon.
+
+        Examples
+        --------
+        >>> import plumbline
+        >>> a = plumbline.arrange([(0, 0, 2, 2), (0, 2, 2, 0), (0, 0, 0, 2)])
+        >>> a.to_shapely()
+        array([<POLYGON ((0 0, 1 1, 0 2, 0 0))>], dtype=object)
+        """
+        return self.polygons.to_shapely()
+
+    def to_geopandas(self, sources: bool = True) -> geopandas.GeoDataFrame:
+        """The bounded faces as a GeoDataFrame, in the reference system of the input. Needs
+        geopandas.
+
+        Returns
+        -------
+        GeoDataFrame
+            Columns ``face``; ``area``, the exact one, correctly rounded; ``perimeter``,
+            rounded; ``depth``; ``parent``, the face that it lies in; with `sources`
+            ``sources``, lists of the items that bound it or end in it, and, where the input has
+            an index, their labels in ``source_index``; ``geometry``.
+        """
+        from plumbline.exports import faces_table
+
+        return faces_table(self, sources)
+
+    def edges_to_geopandas(self, sources: bool = True) -> geopandas.GeoDataFrame:
+        """The edges as a GeoDataFrame. Needs geopandas.
+
+        Returns
+        -------
+        GeoDataFrame
+            Columns ``edge``; ``tail``, ``head``, vertices; ``left``, ``right``, faces, 0 the
+            unbounded one; ``length``, rounded; with `sources` the items that cover it, as in
+            `to_geopandas`; ``geometry``.
+        """
+        from plumbline.exports import edges_table
+
+        return edges_table(self, sources)
+
+    def to_networkx(self, dual: bool = False, exact: bool = False) -> networkx.Graph[int]:
+        """The graph of vertices and edges, or with `dual` that of faces. Needs networkx.
+
+        Parameters
+        ----------
+        dual : bool
+            Nodes are faces, 0 the unbounded one, with ``area`` and ``depth``; edges lie between
+            faces that share more than points, with the ``length`` that they share.
+        exact : bool
+            Whether nodes have an exact ``point``, faces an exact ``area``: Fractions.
+
+        Returns
+        -------
+        networkx.Graph
+            Nodes are vertices, with ``pos``, doubles. Edges have ``edge``, ``length`` and
+            ``sources``.
+        """
+        from plumbline.exports import dual_graph, graph
+
+        return dual_graph(self, exact) if dual else graph(self, exact)
+
+    def to_arrow(self, sources: bool = True) -> pyarrow.Table:
+        """The table of `to_geopandas` for Arrow, polygons as ``geoarrow.polygon``: hardly
+        anything is copied, and shapely is not needed. Needs pyarrow."""
+        from plumbline.exports import arrow_table
+
+        return arrow_table(self, sources)
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        """That table for whatever takes Arrow's streams: DuckDB, Polars, lonboard, GDAL."""
+        stream: object = self.to_arrow().__arrow_c_stream__(requested_schema)
+        return stream
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """The bounded faces as a FeatureCollection, with the properties that `to_geojson` has."""
+        collection: dict[str, Any] = json.loads(self.to_geojson())
+        return collection
+
+    def to_geojson(self, cells: str | Sequence[str] = "faces") -> str:
+        """Cells (one or more of "faces", "edges", "vertices") as GeoJSON, in the drawing's own
+        coordinates, which RFC 7946 takes for degrees."""
+        from plumbline.exports import features_text
+
+        return features_text(self, "geojson", cells, None)
+
+    def to_topojson(self, cells: str | Sequence[str] = "faces") -> str:
+        """The same as TopoJSON, without quantisation: what faces share is there once."""
+        from plumbline.exports import features_text
+
+        return features_text(self, "topojson", cells, None)
+
+    def to_wkt(self, cells: str | Sequence[str] = "faces") -> str:
+        """The same as well-known text, a geometry a line."""
+        from plumbline.exports import features_text
+
+        return features_text(self, "wkt", cells, None)
+
+    def to_json(self, compact: bool = False) -> str:
+        """Everything as JSON, exactly, as the tool writes it: vertices, edges with their sources,
+        faces with areas and points inside, what was rejected.
+
+        Parameters
+        ----------
+        compact : bool
+            Without what follows from the rest: a third of the size.
+        """
+        from plumbline.exports import json_text
+
+        return json_text(self, compact, None)
+
+    def _vertices_frame(self) -> geopandas.GeoDataFrame:
+        from plumbline.exports import vertices_table
+
+        return vertices_table(self)
+
+    def _written(self, format: str, **options: Any) -> str:
+        from plumbline.write import arrangement_text
+
+        return arrangement_text(self, format, **options)
+
+    def _repr_svg_(self) -> str:
+        from plumbline._pictures import arrangement_picture
+
+        return arrangement_picture(self)
+
+    def _violations(self) -> list[_core.Violation]:
+        return self._core.validate() + self._core.validate_coverage(self.lines._core)
+
     # As a whole.
 
     @cached_property
@@ -259,9 +428,9 @@ class Arrangement:
                 raise Error("points have finite coordinates")
             return self._core.locate_points(coords)
         chosen = self.lines.numbers
+        exact: Any = points
         faces = [
-            self._core.locate((exact_text(x, chosen), exact_text(y, chosen)))
-            for x, y in points  # type: ignore[misc, union-attr]
+            self._core.locate((exact_text(x, chosen), exact_text(y, chosen))) for x, y in exact
         ]
         return np.array(faces, dtype=np.uint32)
 
@@ -275,7 +444,7 @@ class Arrangement:
         return hash(self.signature)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _arranged, (self.lines,)
+        return _arranged, (self.lines, self.labels)
 
     def __repr__(self) -> str:
         n = self.counts
@@ -292,8 +461,8 @@ def _csc(parts: tuple[Any, Any, Any, Any]) -> scipy.sparse.csc_array:
     return csc_array((data, indices, indptr), shape=shape)
 
 
-def _arranged(of: Lines) -> Arrangement:
-    return Arrangement(_core.arrange(of._core, False, 0, None), of)
+def _arranged(of: Lines, labels: Any | None) -> Arrangement:
+    return Arrangement(_core.arrange(of._core, False, 0, None), of, labels)
 
 
 def arrange(
@@ -362,7 +531,14 @@ def arrange(
     of = lines(lines_like, numbers=numbers, points=points, ids=ids)
     with told(progress, "arranging") as callback:
         core = _core.arrange(of._core, exact_engine == "cgal", threads or 0, callback)
-    return Arrangement(core, of)
+    return Arrangement(core, of, _labels(lines_like))
+
+
+def _labels(values: Any) -> Any | None:
+    """The index of a GeoDataFrame or a GeoSeries."""
+    if hasattr(values, "geometry") and hasattr(values, "crs"):
+        return getattr(values, "index", None)
+    return None
 
 
 def signature(x: Arrangement | LinesLike) -> str:
@@ -388,4 +564,4 @@ def same(a: Arrangement | LinesLike, b: Arrangement | LinesLike) -> bool:
 def validate(x: Arrangement) -> list[_core.Violation]:
     """What is not true of an arrangement as a cellular complex and as a cover of its lines, by code
     that is independent of what made it: nothing, unless this library is broken."""
-    return x._core.validate() + x._core.validate_coverage(x.lines._core)
+    return x._violations()

@@ -150,6 +150,11 @@ class Lines:
     def __geo_interface__(self) -> dict[str, Any]:
         return {"type": "MultiLineString", "coordinates": self.coords.reshape(-1, 2, 2).tolist()}
 
+    def _repr_svg_(self) -> str:
+        from plumbline._pictures import lines_picture
+
+        return lines_picture(self)
+
     def __getstate__(self) -> tuple[_core.SegmentSet, Numbers]:
         return self._core, self._numbers
 

@@ -10,6 +10,9 @@
 namespace plumbline::python {
 namespace {
 
+using RingArrays = nb::typed<nb::tuple, IndexArray, IntArray, IntArray, IndexArray>;
+using NeighbourArrays = nb::typed<nb::tuple, IndexArray, IndexArray, DoubleArray>;
+
 struct Rings {
   std::vector<std::uint32_t> vertices;  ///< closed rings
   std::vector<std::int64_t> ring_starts{0}, polygon_starts{0};
@@ -23,7 +26,7 @@ struct Rings {
   }
 };
 
-nb::tuple polygon_rings(const ExactComplex& complex) {
+RingArrays polygon_rings(const ExactComplex& complex) {
   Rings rings;
   {
     const nb::gil_scoped_release release;
@@ -34,12 +37,13 @@ nb::tuple polygon_rings(const ExactComplex& complex) {
       rings.faces.push_back(static_cast<std::uint32_t>(polygon.face));
     }
   }
-  return nb::make_tuple(array(std::move(rings.vertices)), array(std::move(rings.ring_starts)),
-                        array(std::move(rings.polygon_starts)), array(std::move(rings.faces)));
+  return nb::borrow<RingArrays>(
+      nb::make_tuple(array(std::move(rings.vertices)), array(std::move(rings.ring_starts)),
+                     array(std::move(rings.polygon_starts)), array(std::move(rings.faces))));
 }
 
 /// Per face its neighbours, and in the same order the lengths of what parts them.
-nb::tuple neighbour_arrays(const ExactComplex& complex) {
+NeighbourArrays neighbour_arrays(const ExactComplex& complex) {
   Lists<std::uint32_t> faces;
   std::vector<double> lengths;
   {
@@ -54,12 +58,12 @@ nb::tuple neighbour_arrays(const ExactComplex& complex) {
       faces.push_back(list);
     }
   }
-  const nb::tuple lists = arrays(std::move(faces));
-  return nb::make_tuple(lists[0], lists[1], array(std::move(lengths)));
+  const ListArrays lists = arrays(std::move(faces));
+  return nb::borrow<NeighbourArrays>(nb::make_tuple(lists[0], lists[1], array(std::move(lengths))));
 }
 
 /// Per face the sources of the segments that bound it or end within it, ascending, each once.
-nb::tuple face_items(const ExactComplex& complex, const SegmentSet& input) {
+ListArrays face_items(const ExactComplex& complex, const SegmentSet& input) {
   Lists<std::uint32_t> items;
   {
     const nb::gil_scoped_release release;
@@ -77,7 +81,7 @@ nb::tuple face_items(const ExactComplex& complex, const SegmentSet& input) {
   return arrays(std::move(items));
 }
 
-nb::object perimeter_array(const ExactComplex& complex) {
+DoubleArray perimeter_array(const ExactComplex& complex) {
   std::vector<double> lengths;
   {
     const nb::gil_scoped_release release;
@@ -86,7 +90,7 @@ nb::object perimeter_array(const ExactComplex& complex) {
   return array(std::move(lengths));
 }
 
-nb::object parents(const ExactComplex& complex) {
+IndexArray parents(const ExactComplex& complex) {
   std::vector<std::uint32_t> result(complex.face_count());
   for (std::size_t f = 1; f < result.size(); ++f) {
     result[f] = static_cast<std::uint32_t>(complex.parent(FaceId(f)));
@@ -98,21 +102,12 @@ nb::object parents(const ExactComplex& complex) {
 
 void bind_polygons(nb::module_& m) {
   m.def("polygon_rings", &polygon_rings, nb::arg("complex"),
-        nb::sig("def polygon_rings(complex: Complex) -> tuple[numpy.typing.NDArray[numpy.uint32], "
-                "numpy.typing.NDArray[numpy.int64], numpy.typing.NDArray[numpy.int64], "
-                "numpy.typing.NDArray[numpy.uint32]]"),
         "The vertices of closed rings, where rings start in them, where polygons start in rings, "
         "the face of each polygon.");
-  m.def("neighbours", &neighbour_arrays, nb::arg("complex"),
-        nb::sig("def neighbours(complex: Complex) -> tuple[numpy.typing.NDArray[numpy.uint32], "
-                "numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.float64]]"));
-  m.def("face_items", &face_items, nb::arg("complex"), nb::arg("input"),
-        nb::sig("def face_items(complex: Complex, input: SegmentSet) -> "
-                "tuple[numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.uint32]]"));
-  m.def("perimeters", &perimeter_array, nb::arg("complex"),
-        nb::sig("def perimeters(complex: Complex) -> numpy.typing.NDArray[numpy.float64]"));
+  m.def("neighbours", &neighbour_arrays, nb::arg("complex"));
+  m.def("face_items", &face_items, nb::arg("complex"), nb::arg("input"));
+  m.def("perimeters", &perimeter_array, nb::arg("complex"));
   m.def("face_parents", &parents, nb::arg("complex"),
-        nb::sig("def face_parents(complex: Complex) -> numpy.typing.NDArray[numpy.uint32]"),
         "Per face the one that its component lies in; of the unbounded face itself.");
 }
 

@@ -30,17 +30,11 @@ void bind_rounding(nb::module_& m) {
       .def_ro("valid_as_doubles", &Rounding::valid_as_doubles)
       .def("has_same_incidences", &Rounding::has_same_incidences)
       .def("note", &note_of, "What is to be known of the numbers, in words.")
-      .def(
-          "vertex_image",
-          [](nb::handle self) { return view(rounding_of(self).vertex_image, self); },
-          nb::sig("def vertex_image(self) -> numpy.typing.NDArray[numpy.uint32]"))
-      .def(
-          "edge_image", [](nb::handle self) { return view(rounding_of(self).edge_image, self); },
-          nb::sig("def edge_image(self) -> tuple[numpy.typing.NDArray[numpy.uint32], "
-                  "numpy.typing.NDArray[numpy.uint32]]"))
-      .def(
-          "face_origin", [](nb::handle self) { return view(rounding_of(self).face_origin, self); },
-          nb::sig("def face_origin(self) -> numpy.typing.NDArray[numpy.uint32]"));
+      .def("vertex_image",
+           [](nb::handle self) { return view(rounding_of(self).vertex_image, self); })
+      .def("edge_image", [](nb::handle self) { return view(rounding_of(self).edge_image, self); })
+      .def("face_origin",
+           [](nb::handle self) { return view(rounding_of(self).face_origin, self); });
 }
 
 void bind_changes(nb::module_& m) {

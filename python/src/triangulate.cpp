@@ -8,7 +8,7 @@ namespace plumbline::python {
 namespace {
 
 /// Triangles as rows, and the face of each: of one face, or of all bounded ones.
-nb::tuple triangles(const ExactComplex& complex, std::optional<std::uint32_t> face) {
+ListArrays triangles(const ExactComplex& complex, std::optional<std::uint32_t> face) {
   std::vector<std::uint32_t> corners, faces;
   {
     const nb::gil_scoped_release release;
@@ -21,15 +21,14 @@ nb::tuple triangles(const ExactComplex& complex, std::optional<std::uint32_t> fa
       }
     }
   }
-  return nb::make_tuple(array(std::move(corners), 3), array(std::move(faces)));
+  return nb::borrow<ListArrays>(
+      nb::make_tuple(array(std::move(corners), 3), array(std::move(faces))));
 }
 
 }  // namespace
 
 void bind_triangulate(nb::module_& m) {
-  m.def("triangulate", &triangles, nb::arg("complex"), nb::arg("face").none(),
-        nb::sig("def triangulate(complex: Complex, face: int | None) -> "
-                "tuple[numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.uint32]]"));
+  m.def("triangulate", &triangles, nb::arg("complex"), nb::arg("face").none());
 }
 
 }  // namespace plumbline::python
