@@ -2,7 +2,6 @@
 
 #include "plumbline/output.hpp"
 
-#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string_view.h>
 
 #include <array>
@@ -80,7 +79,7 @@ void bind_output(nb::module_& m) {
         nb::arg("note"), nb::call_guard<nb::gil_scoped_release>());
   m.def(
       "write_file",
-      [](const std::filesystem::path& file, const nb::bytes& content) {
+      [](const std::string& file, const nb::bytes& content) {
         const std::string_view text(content.c_str(), content.size());
         const nb::gil_scoped_release release;
         write_file(file, text);
