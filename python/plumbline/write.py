@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+import warnings
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Union
@@ -231,7 +232,7 @@ def _table_bytes(x: Any, format: str, options: dict[str, Any]) -> bytes:
 
 def _frames(x: Any, decimals: int | None = None, cells: Cells = None) -> dict[str, Any]:
     if isinstance(x, Arrangement):
-        source = x._in_doubles(decimals)
+        source = x if decimals is None else x._in_doubles(decimals)
         makers = dict(
             zip(CELLS, (source.to_geopandas, source.edges_to_geopandas, source._vertices_frame))
         )
@@ -267,5 +268,7 @@ def _bytes_of(fill: Callable[[Path], object], ending: str) -> bytes:
     """What a function writes to a file of this ending."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"file{ending}"
-        fill(path)
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message="'crs' was not provided")
+            fill(path)
         return path.read_bytes()

@@ -2,6 +2,8 @@
 
 #include "plumbline/round.hpp"
 
+#include <string>
+
 #include "core.hpp"
 #include "plumbline/features.hpp"
 
@@ -37,6 +39,22 @@ void bind_rounding(nb::module_& m) {
            [](nb::handle self) { return view(rounding_of(self).face_origin, self); });
 }
 
+/// "<RoundingChanges: 3 vertices moved, 1 edges bent>".
+std::string text_of(const RoundingChanges& c) {
+  std::string text;
+  const auto say = [&](std::size_t count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + what;
+  };
+  say(c.moved_vertices.size(), " vertices moved");
+  say(c.merged_vertices.size(), " vertices of several");
+  say(c.bent_edges.size(), " edges bent");
+  say(c.merged_edges.size(), " edges of several");
+  say(c.vanished_edges.size(), " edges vanished");
+  say(c.vanished_faces.size(), " faces vanished");
+  say(c.split_faces.size(), " faces split");
+  return "<RoundingChanges: " + (text.empty() ? "none" : text) + ">";
+}
+
 void bind_changes(nb::module_& m) {
   using Changes = RoundingChanges;
   nb::class_<Changes> type(m, "RoundingChanges",
@@ -69,7 +87,8 @@ void bind_changes(nb::module_& m) {
       .def_ro("vanished_faces", &Changes::vanished_faces)
       .def_ro("split_faces", &Changes::split_faces)
       .def("largest_squared_movement", &Changes::largest_squared_movement)
-      .def("largest_squared_bend", &Changes::largest_squared_bend);
+      .def("largest_squared_bend", &Changes::largest_squared_bend)
+      .def("__repr__", &text_of);
 }
 
 }  // namespace
