@@ -145,7 +145,7 @@ def dual_graph(a: Arrangement, exact: bool) -> networkx.Graph[int]:
     """The same of faces."""
     result: networkx.Graph[int] = needed("networkx").Graph()
     base, _ = a._placed()
-    areas = base.areas if exact else base.area.tolist()
+    areas = base.areas if exact else base._exact_area().tolist()
     for f, (area, depth) in enumerate(zip(areas, base.depth.tolist())):
         result.add_node(f, area=area, depth=depth)
     indptr, faces, lengths = _core.neighbours(base._core)
