@@ -102,6 +102,8 @@ def as_geometries(values: Any) -> NDArray[object_] | None:
     ):
         flat = np.empty(len(values), dtype=object)
         flat[:] = list(values)
-        if len(flat) and all(v is None or isinstance(v, shapely.Geometry) for v in flat):
+        if (len(flat) or isinstance(values, np.ndarray)) and all(
+            v is None or isinstance(v, shapely.Geometry) for v in flat
+        ):
             return flat
     return None

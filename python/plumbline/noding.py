@@ -242,12 +242,8 @@ def _nothing(kind: str) -> Sourced:
 
 
 def _geometries(values: LinesLike) -> NDArray[np.object_] | None:
-    """Values as an array of geometries; None where they are something else."""
-    if hasattr(values, "_core"):
-        return None
-    if isinstance(values, np.ndarray) and values.dtype == object and not len(values):
-        return values
-    return as_geometries(values)
+    """Values as an array of geometries; None where they are something else, as Lines are."""
+    return None if hasattr(values, "_core") else as_geometries(values)
 
 
 def curves_of(geometries: NDArray[np.object_]) -> tuple[NDArray[np.object_], NDArray[np.intp]]:
@@ -283,7 +279,7 @@ class _Net:
             self._item: NDArray[np.intp] | None = None
         else:
             curves, self._item = curves_of(geometries)
-            self.arrangement = arrange(curves if len(curves) else [], numbers=numbers)
+            self.arrangement = arrange(curves, numbers=numbers)
             self._curve = self.arrangement.lines.item.astype(np.intp)
         self.rounded = self.arrangement.rounded()
         self._halfedges = self._in_order()

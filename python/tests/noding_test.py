@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from fractions import Fraction
 from typing import Any
 
@@ -9,7 +10,8 @@ import numpy as np
 import plumbline
 import pytest
 import shapely
-from drawings import polylines, undirected
+from drawings import polylines, segments, undirected
+from hypothesis import given, settings
 from shapely import LineString, MultiLineString, Point
 
 
@@ -100,6 +102,19 @@ def test_node_needs_no_second_time_where_shapely_does() -> None:
     assert len(shapely.node(once).geoms) != len(once.geoms) or len(ours) == len(once.geoms)
 
 
+@settings(deadline=None, max_examples=60)
+@given(segments)
+def test_node_holds_where_doubles_are_coarse(drawing: list[tuple[str, ...]]) -> None:
+    far = 2**51  # doubles are 1/2 apart there, or 1/4
+    rows = [[far + 3 * float(c) for c in row] for row in drawing]
+    noded = plumbline.node(rows)
+    assert undirected(plumbline.node(noded)) == undirected(noded)
+    given_lines = shapely.linestrings(np.array(rows).reshape(-1, 2, 2))
+    for line, sources in zip(noded, noded.sources):
+        assert len(sources)
+        assert (shapely.distance(given_lines[sources], shapely.get_point(line, 0)) <= 0.5).all()
+
+
 # Sources.
 
 
@@ -159,4 +174,6 @@ def test_results_are_taken_by_shapely_and_geopandas() -> None:
     assert shapely.get_num_geometries(noded.geometry) == 4
     assert noded.__geo_interface__["type"] == "MultiLineString"
     assert noded == noded.geometry
-    assert not len(plumbline.polygonize([]))
+    assert pickle.loads(pickle.dumps(noded)) == noded
+    for nothing in ([], np.array([], dtype=object), geopandas.GeoSeries([]), [None]):
+        assert plumbline.polygonize(nothing).is_empty
