@@ -21,5 +21,5 @@ def needed(module: str) -> Any:
     except ImportError as error:
         extra = _EXTRAS.get(module, "geo")
         raise ImportError(
-            f"this needs {module}: pip install plumbline-geometry[{extra}]", name=module
+            f'this needs {module}: pip install "plumbline-geometry[{extra}]"', name=module
         ) from error

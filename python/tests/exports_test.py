@@ -211,5 +211,5 @@ def test_packages_that_are_not_there_are_named(
         "networkx": a.to_networkx,
         "pyarrow": a.to_arrow,
     }
-    with pytest.raises(ImportError, match=rf"{module}: pip install plumbline-geometry\["):
+    with pytest.raises(ImportError, match=rf"{module}: pip install \"plumbline-geometry\["):
         calls[module]()

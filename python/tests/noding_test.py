@@ -105,11 +105,11 @@ def test_node_needs_no_second_time_where_shapely_does() -> None:
 @settings(deadline=None, max_examples=60)
 @given(segments)
 def test_node_holds_where_doubles_are_coarse(drawing: list[tuple[str, ...]]) -> None:
-    far = 2**51  # doubles are 1/2 apart there, or 1/4
+    far = 2**51  # doubles are 1/2 apart there
     rows = [[far + 3 * float(c) for c in row] for row in drawing]
     noded = plumbline.node(rows)
     assert undirected(plumbline.node(noded)) == undirected(noded)
-    given_lines = shapely.linestrings(np.array(rows).reshape(-1, 2, 2))
+    given_lines: Any = shapely.linestrings(np.array(rows).reshape(-1, 2, 2))
     for line, sources in zip(noded, noded.sources):
         assert len(sources)
         assert (shapely.distance(given_lines[sources], shapely.get_point(line, 0)) <= 0.5).all()
