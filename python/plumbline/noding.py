@@ -115,8 +115,9 @@ def node(geometry: LinesLike, *, numbers: Numbers | None = None) -> Sourced:
     -------
     Sourced
         A MultiLineString with `sources`: per line all items that it is a part of. As with
-        shapely, lines go on through their vertices where nothing else meets them. In the order
-        of the input and in its directions; of a shared piece the first item's.
+        shapely, lines go on through their vertices where nothing else meets them; unlike it,
+        no line is of length 0 where a point is repeated. In the order of the input and in its
+        directions; of a shared piece the first item's.
 
     Raises
     ------

@@ -115,6 +115,11 @@ def test_node_holds_where_doubles_are_coarse(drawing: list[tuple[str, ...]]) -> 
         assert (shapely.distance(given_lines[sources], shapely.get_point(line, 0)) <= 0.5).all()
 
 
+def test_repeated_points_make_no_lines_without_length() -> None:
+    line = LineString([(0, 0), (1, 0), (1, 0), (1, 0), (2, 1)])
+    assert plumbline.node(line).wkt == "MULTILINESTRING ((0 0, 1 0, 2 1))"
+
+
 # Sources.
 
 
