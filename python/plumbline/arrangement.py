@@ -278,9 +278,10 @@ class Arrangement:
         -------
         GeoDataFrame
             Columns ``face``; ``area``, the exact one, correctly rounded (where rounding merged
-            or parted any face, that of the polygon itself); ``perimeter``, rounded; ``depth``; ``parent``, the face that it lies in; with `sources`
-            ``sources``, lists of the items that bound it or end in it, and, where the input has
-            an index, their labels in ``source_index``; ``geometry``.
+            or parted any face, that of the polygon itself); ``perimeter``, rounded; ``depth``;
+            ``parent``, the face that it lies in; with `sources` ``sources``, lists of the items
+            that bound it or end in it, and, where the input has an index, their labels in
+            ``source_index``; ``geometry``.
         """
         from plumbline.exports import faces_table
 
@@ -335,7 +336,7 @@ class Arrangement:
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
-        """The bounded faces as a FeatureCollection, with the properties that `to_geojson` has."""
+        """The bounded faces as a FeatureCollection, with the properties of `to_geojson`."""
         collection: dict[str, Any] = json.loads(self.to_geojson())
         return collection
 
@@ -372,7 +373,7 @@ class Arrangement:
         return json_text(self, compact, None)
 
     def _exact_area(self) -> NDArray[np.float64]:
-        """Per face the area of what it is exactly; where rounding merged or parted any, its own."""
+        """Per face the area of what it is exactly; where rounding merged any, its own."""
         return self.area
 
     def _vertices_frame(self) -> geopandas.GeoDataFrame:
