@@ -91,6 +91,7 @@ NB_MODULE(_core, m) {
   bind_compare(m);
   bind_engine(m);
   bind_check(m);
+  bind_certificate(m);
   bind_ladder(m);
   bind_diagnose(m);
   bind_rings(m);

@@ -41,6 +41,7 @@ void bind_output(nb::module_& m);
 void bind_compare(nb::module_& m);
 void bind_engine(nb::module_& m);
 void bind_check(nb::module_& m);
+void bind_certificate(nb::module_& m);  ///< with the checker
 void bind_ladder(nb::module_& m);
 void bind_diagnose(nb::module_& m);
 void bind_rings(nb::module_& m);
