@@ -6,9 +6,26 @@ plane into, exactly. ``plumbline.arrange(anything)`` is where to begin.
 
 from plumbline import lar
 from plumbline._core import __version__
-from plumbline.arrangement import Arrangement, arrange, same, signature, validate
+from plumbline.arrangement import Arrangement, Points, arrange, same, signature, validate
+from plumbline.certificate import Verdict, certificate, verify
+from plumbline.check import (
+    Answer,
+    Cause,
+    Check,
+    Engine,
+    Finding,
+    FindingGroup,
+    RightRadii,
+    check,
+    cross_check,
+    engine_names,
+    engine_parameters,
+)
+from plumbline.compare import Comparison, compare
+from plumbline.diagnosis import Defect, Diagnosis, InvalidRing, Opening, diagnose, validity
 from plumbline.drawing import Drawing, read
 from plumbline.errors import Error, FileError, InternalError, LimitError, LossWarning
+from plumbline.ladder import Ladder, LadderStep, ladder
 from plumbline.lar import random_lines
 from plumbline.lines import Lines, lines
 from plumbline.lists import Lists
@@ -24,20 +41,34 @@ from plumbline.structure import Struct, Structure, box, evaluate
 from plumbline.write import write
 
 __all__ = [
+    "Answer",
     "Arrangement",
+    "Cause",
+    "Check",
+    "Comparison",
+    "Defect",
+    "Diagnosis",
     "Drawing",
+    "Engine",
     "Error",
     "FacePolygons",
     "FileError",
+    "Finding",
+    "FindingGroup",
     "InternalError",
+    "InvalidRing",
+    "Ladder",
+    "LadderStep",
     "LarModel",
     "LimitError",
     "Lines",
     "Lists",
     "LossWarning",
     "Map",
+    "Opening",
     "Points",
     "Repair",
+    "RightRadii",
     "Rooms",
     "RoundedArrangement",
     "Sourced",
@@ -45,11 +76,20 @@ __all__ = [
     "Structure",
     "Triangles",
     "Undone",
+    "Verdict",
     "__version__",
     "arrange",
     "box",
+    "certificate",
+    "check",
+    "compare",
     "compare_rules",
+    "cross_check",
+    "diagnose",
+    "engine_names",
+    "engine_parameters",
     "evaluate",
+    "ladder",
     "lar",
     "lines",
     "node",
@@ -68,5 +108,7 @@ __all__ = [
     "triangulate",
     "undo",
     "validate",
+    "validity",
+    "verify",
     "write",
 ]

@@ -1,0 +1,504 @@
+"""Results held against the exact arrangement of their drawing."""
+
+from __future__ import annotations
+
+import html
+import warnings
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal, NoReturn, Protocol, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plumbline import _core
+from plumbline._arguments import arrangement_of, number_text, size, threads_of
+from plumbline._core import Answer, Cause, ChangedFaces, Finding, FindingGroup, RightRadii
+from plumbline._numbers import Number, Numbers
+from plumbline._points import point_frame
+from plumbline._progress import Progress, told
+from plumbline._results import answer_of_result
+from plumbline.arrangement import Arrangement
+from plumbline.drawing import Drawing
+from plumbline.errors import Error, LossWarning
+from plumbline.ladder import Ladder
+from plumbline.lines import Lines, LinesLike
+
+if TYPE_CHECKING:
+    import geopandas  # type: ignore[import-untyped]
+
+__all__ = [
+    "Answer",
+    "Cause",
+    "ChangedFaces",
+    "Check",
+    "Engine",
+    "Finding",
+    "FindingGroup",
+    "RightRadii",
+    "check",
+    "cross_check",
+    "engine_names",
+    "engine_parameters",
+]
+
+MOST_EDGES_IN_NOTEBOOKS = 200_000
+"""Of larger drawings notebooks show the text of a check: the page would have tens of megabytes."""
+
+ResultLike = Any
+"""What `check` takes as a result: see there."""
+
+
+class Engine(Protocol):
+    """Whatever arranges line work: a function of segments, rows ax, ay, bx, by, as an array (n, 4)
+    of float64 that is its own. It returns a result in any of the forms that `check` takes: polygons
+    of shapely, (V, EV), (V, EV, FV), segments, the path of a file ..."""
+
+    def __call__(self, segments: NDArray[np.float64], /) -> ResultLike: ...
+
+
+class Check:
+    """A result held against the exact arrangement of its drawing: whether it is right, and if not
+    what is wrong where, and why. Made by `plumbline.check` and `plumbline.cross_check`.
+
+    True in a condition if the result is right and nothing of the drawing, or of the result, was
+    left out as unreadable.
+
+    Attributes
+    ----------
+    exact : Arrangement
+        The exact arrangement of the drawing.
+    """
+
+    def __init__(self, core: _core.Check, exact: Arrangement) -> None:
+        self._core = core
+        self.exact = exact
+
+    @property
+    def agree(self) -> bool:
+        """Whether the result is a valid complex whose cells match the exact ones one to one."""
+        return self._core.agree()
+
+    def __bool__(self) -> bool:
+        return self.agree and self._core.lost() == 0
+
+    @cached_property
+    def findings(self) -> list[Finding]:
+        """What is wrong. Numbered from 1 by their positions."""
+        return self._core.comparison.findings
+
+    @cached_property
+    def causes(self) -> list[Cause]:
+        """Why, one for each finding."""
+        return self._core.causes
+
+    @cached_property
+    def groups(self) -> list[FindingGroup]:
+        """Findings that are one event in one place; what changes most comes first."""
+        return self._core.groups
+
+    @property
+    def own_findings(self) -> int:
+        """How many findings are the drawing's own: its digits leave them open."""
+        return self._core.own_findings()
+
+    @cached_property
+    def conversion_findings(self) -> list[Finding]:
+        """What rounding the drawing to doubles alone changes, whatever the result: how `doubles`
+        differs from `exact`."""
+        return self._core.conversion.findings
+
+    @cached_property
+    def doubles(self) -> Arrangement:
+        """The exact arrangement of the drawing's numbers, each rounded to the nearest double."""
+        return Arrangement(self._core.doubles_complex, self.exact.lines)
+
+    @property
+    def answer(self) -> Answer:
+        """The result as it was compared, with the engine, its parameters and its radius."""
+        return self._core.answer
+
+    @property
+    def tolerance(self) -> float:
+        """Within which vertices matched."""
+        return self._core.comparison.tolerance
+
+    @property
+    def compared(self) -> str:
+        """Which cells were compared: "all"; "graph", of a result without faces; "faces", of one
+        that has polygons alone; "some faces"."""
+        return self._core.comparison.compared
+
+    @property
+    def exact_counts(self) -> _core.Counts:
+        """Numbers of cells of the exact arrangement."""
+        return self._core.comparison.exact_counts
+
+    @property
+    def answer_counts(self) -> _core.Counts:
+        """Numbers of cells of the result."""
+        return self._core.comparison.answer_counts
+
+    @property
+    def matched(self) -> tuple[int, int, int]:
+        """How many vertices, edges and faces match one to one."""
+        c = self._core.comparison
+        return c.matched_vertices, c.matched_edges, c.matched_faces
+
+    @property
+    def largest_displacement(self) -> float:
+        """Of a vertex that matches."""
+        return self._core.comparison.largest_displacement
+
+    @property
+    def right_radii(self) -> RightRadii | None:
+        """With which radii the engine is right; None where that was not looked for."""
+        return self._core.right_radii
+
+    @cached_property
+    def ladder(self) -> Ladder:
+        """At which radii the drawing falls together."""
+        core = self._core.ladder or _core.tolerance_ladder(self._core.exact_complex, 1000, None)
+        return Ladder(core, self.exact, self.right_radii)
+
+    def to_text(self, listed: int | None = None) -> str:
+        """For a terminal: the verdict, counts side by side, where findings come from, groups.
+
+        Parameters
+        ----------
+        listed : int, optional
+            So many groups, with their findings. By default as many groups as fit on a screen.
+        """
+        return self._core.to_text(listed)
+
+    def to_json(self) -> str:
+        """All findings, as JSON: what ``plumbline check --output`` writes."""
+        return self._core.to_json()
+
+    def to_svg(self) -> str:
+        """A picture: the exact arrangement and the result beside it, with the groups marked."""
+        return self._core.to_svg()
+
+    def to_html(self) -> str:
+        """A page to look at all of it in a browser, with the ladder. Loads nothing else."""
+        return self._core.to_html()
+
+    def to_geopandas(self) -> geopandas.GeoDataFrame:
+        """Findings as points with the columns number, group, kind, disagreement, invariant, stage,
+        rule, message, advice, distance, exact_x, exact_y, sources; a finding about the result as a
+        whole has no point. Needs GeoPandas."""
+        return point_frame(*self._core.finding_table(), self.exact.lines.crs)
+
+    def __str__(self) -> str:
+        return self.to_text()
+
+    def __repr__(self) -> str:
+        verdict = self.to_text(0).partition("\n")[0]
+        n = self.exact_counts
+        return (
+            f"<Check of {self.answer.title}: {verdict}; "
+            f"exact {n.vertices} vertices, {n.edges} edges, {n.faces - 1} bounded faces>"
+        )
+
+    def _repr_html_(self) -> str:
+        edges = self.exact_counts.edges + self.answer_counts.edges
+        if edges > MOST_EDGES_IN_NOTEBOOKS:
+            note = f"{edges} edges are too many for a page in a notebook: see to_html().\n\n"
+            return f"<pre>{html.escape(note + self.to_text())}</pre>"
+        return (
+            '<iframe sandbox="allow-scripts" style="width: 100%; height: 640px; border: 0" '
+            f'srcdoc="{html.escape(self.to_html(), quote=True)}"></iframe>'
+        )
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError(
+            "a Check cannot be pickled: it holds the run of its engine; keep to_json(), or the "
+            "drawing and the result, and check again"
+        )
+
+
+def check(
+    result: ResultLike | Engine,
+    drawing: Arrangement | LinesLike,
+    *,
+    tolerance: Number | None = None,
+    some_faces: bool = False,
+    numbers: Numbers | None = None,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Check:
+    """Any result, held against the exact arrangement of its drawing.
+
+    Parameters
+    ----------
+    result : path, geometries, cells, segments, Arrangement or Engine
+        - the path of a result file: LAR as JSON, GeoJSON, well-known text, WKB, CSV, what
+          ``plumbline arrange`` writes; the text of GeoJSON, of a LAR model or of WKT;
+        - a GeoDataFrame, a GeoSeries, shapely geometries: polygons are faces, lines edges between
+          successive points;
+        - a tuple ``(V, EV)`` or ``(V, EV, FV)`` of points, pairs of vertices and lists of vertices
+          (None for an EV that is not there); a dict of these names, with `polygons` and
+          `index_base` if needed;
+        - segments (n, 4): edges alone;
+        - an `Arrangement`;
+        - an `Engine`: a function, which is run on the drawing's segments.
+    drawing : Arrangement, or line work as `lines` takes it
+        What was to be arranged.
+    tolerance : number, optional
+        Vertices match within this distance, compared exactly. By default 1e-9 of the drawing's
+        longer side, but at least 2^-46 of its largest coordinate.
+    some_faces : bool
+        Whether the result has some of the faces only: each must be one of the drawing's, and
+        nothing else is compared.
+    numbers : {"doubles", "decimals"}, optional
+        What floats of the drawing stand for, as in `lines`.
+    threads : int, optional
+        At most so many. Does not change the result.
+    progress : bool or function, optional
+        As in `arrange`. Ctrl-C ends the work in any case.
+
+    Returns
+    -------
+    Check
+        Coordinates of results count as the doubles that they are; a result that is wrong in
+        whatever way is a finding and no error. Of polygons alone all is compared that polygons can
+        have: no dangling edges.
+
+    Warns
+    -----
+    LossWarning
+        Where something of the drawing, or of the result, could not be read.
+
+    Raises
+    ------
+    Error
+        Where nothing is drawn, so that there is nothing to agree about; for what is no result,
+        indices out of range, coordinates that are not finite; from what an engine raised.
+
+    Notes
+    -----
+    The cost of `arrange` twice and of a comparison.
+
+    Examples
+    --------
+    >>> import plumbline
+    >>> drawing = [(0, 0, 2, 2), (0, 2, 2, 0), (0, 0, 0, 2)]
+    >>> V, EV = [(0, 0), (0, 2), (1, 1), (2, 2), (2, 0)], [(0, 1), (0, 2), (1, 2), (2, 3), (2, 4)]
+    >>> plumbline.check((V, EV), drawing).agree
+    True
+    >>> wrong = plumbline.check((V, EV[:-1]), drawing)
+    >>> [(f.kind, f.disagreement) for f in wrong.findings]
+    [('edge', 'missing')]
+
+    A function is an engine:
+
+    >>> def nothing_to_do(segments):
+    ...     return segments
+    >>> bool(plumbline.check(nothing_to_do, drawing))
+    False
+    """
+    exact = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads))
+    if callable(result) and not isinstance(result, Arrangement):
+        answer = _answer_of_function(result, exact.lines)
+    else:
+        answer = answer_of_result(result)
+    _warn_of_losses(answer)
+    if some_faces:
+        _core.choose_some_faces(answer)
+    within = size(tolerance, "the tolerance")
+    with told(progress, "checking") as callback:
+        core = _core.check(
+            exact.lines._core,
+            exact._core,
+            answer,
+            _structure(exact.lines),
+            False,
+            within,
+            False,
+            False,
+            threads_of(threads),
+            callback,
+        )
+    return Check(core, exact)
+
+
+def cross_check(
+    drawing: Arrangement | LinesLike,
+    engine: str = "lar",
+    *,
+    variant: Literal["published", "repaired"] | None = None,
+    advice: bool | None = None,
+    tolerance: Number | None = None,
+    unit_square: bool = False,
+    svg2lines: bool = False,
+    numbers: Numbers | None = None,
+    threads: int | None = None,
+    progress: Progress = None,
+    **parameters: Union[Number, None],
+) -> Check:
+    """The answer of a float engine of this library, held against the exact arrangement.
+
+    Parameters
+    ----------
+    drawing : Arrangement, or line work as `lines` takes it
+    engine : str
+        "lar": the best float version of LAR's algorithm; "inters": LAR's module as published in
+        2015; "files": a result that is there, with the parameter `file`. See `engine_names`.
+    variant : {"published", "repaired"}, optional
+        Other names of "inters" and "lar".
+    advice : bool, optional
+        Whether to look for the radii with which the engine is right, by a dozen runs. By default
+        for up to 50,000 edges.
+    tolerance : number, optional
+        Vertices match within this distance. By default the radius of the engine.
+    unit_square : bool
+        Whether the drawing is mapped to the unit square first, as published for SVG.
+    svg2lines : bool
+        Of inters: whether to find what the published reader of SVG would misread, too. Needs a
+        drawing that was read from an SVG file.
+    numbers, threads, progress
+        As in `check`.
+    **parameters
+        Of the engine, as `engine_parameters` lists them. `radius` may be "larlib" (0.001 of the
+        drawing's longer side), "plasm" (1e-8) or "drawing" (the engine's own), too.
+
+    Returns
+    -------
+    Check
+        With causes: the stage of the engine to blame for each finding, proved by continuing
+        its outputs exactly where it says `confirmed`.
+
+    Raises
+    ------
+    Error
+        Where nothing is drawn; for engines and parameters that there are not, and values that they
+        do not take; as `arrange`.
+
+    Examples
+    --------
+    >>> import plumbline
+    >>> thin = "MULTILINESTRING ((0 0, 8 0, 8 8, 0 8, 0 0), (0 0.005, 8 0.005))"
+    >>> c = plumbline.cross_check(thin)
+    >>> c.agree, c.answer.radius
+    (False, 0.008)
+    >>> sorted({cause.rule for cause in c.causes})
+    ['merged-within-radius']
+    >>> bool(plumbline.cross_check(thin, radius=c.right_radii.advised))
+    True
+    """
+    engine = _engine_of_variant(engine, variant)
+    settings = [(name, _setting(name, value)) for name, value in parameters.items()]
+    _core.engine_parameters(engine)  # refused at once where there is no such engine
+    of = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads))
+    count = threads_of(threads)
+    answer = _core.engine_answer(
+        engine,
+        of.lines._core,
+        unit_square,
+        settings,
+        _svg_file(of.lines, engine) if svg2lines else "",
+        count,
+    )
+    _warn_of_losses(answer)
+    exact = _mapped(of, count) if unit_square else of
+    within = size(tolerance, "the tolerance")
+    with told(progress, "checking") as callback:
+        core = _core.check(
+            exact.lines._core,
+            exact._core,
+            answer,
+            _structure(of.lines),
+            unit_square,
+            within,
+            advice,
+            False,
+            count,
+            callback,
+        )
+    return Check(core, exact)
+
+
+def engine_names() -> list[str]:
+    """The engines that `cross_check` knows."""
+    return _core.engine_names()
+
+
+def engine_parameters(engine: str) -> list[_core.Parameter]:
+    """What may be chosen of an engine.
+
+    Examples
+    --------
+    >>> import plumbline
+    >>> [p.name for p in plumbline.engine_parameters("inters")]
+    ['radius', 'decimals', 'result']
+    """
+    return _core.engine_parameters(engine)
+
+
+def _drawn(exact: Arrangement) -> Arrangement:
+    if not exact.counts.vertices:
+        raise Error("nothing is drawn, so there is nothing to agree about")
+    return exact
+
+
+def _structure(of: Lines) -> _core.Structure | None:
+    """The hierarchy of a drawing, which tells parsing from transforming."""
+    return of.structure if isinstance(of, Drawing) else None
+
+
+def _answer_of_function(engine: Engine, of: Lines) -> Answer:
+    name = getattr(engine, "__name__", None) or type(engine).__name__
+    try:
+        result = engine(np.array(of.coords))
+    except Exception as error:
+        raise Error(f"the engine {name} failed: {type(error).__name__}: {error}") from error
+    if callable(result) and not isinstance(result, Arrangement):
+        raise Error(f"the engine {name} returned a function")
+    try:
+        return answer_of_result(result).renamed(name)
+    except Error as error:
+        raise Error(f"the engine {name} returned no result: {error}") from error
+
+
+def _warn_of_losses(answer: Answer) -> None:
+    lost = [item for item in answer.rejected if not item.harmless]
+    if lost:
+        count = "one item" if len(lost) == 1 else f"{len(lost)} items"
+        warnings.warn(
+            f"{count} of the result cannot be read; the first, {lost[0].source.element} in line "
+            f"{lost[0].source.line}: {lost[0].reason}",
+            LossWarning,
+            stacklevel=3,
+        )
+
+
+def _engine_of_variant(engine: str, variant: str | None) -> str:
+    if variant is None:
+        return engine
+    by_name = {"published": "inters", "repaired": "lar"}
+    if variant not in by_name:
+        raise Error(f'variants are "published" and "repaired": {variant!r}')
+    if engine not in ("lar", by_name[variant]):
+        raise Error(f"a variant is not of the engine {engine}: {variant!r}")
+    return by_name[variant]
+
+
+def _setting(name: str, value: Number | None) -> str:
+    if isinstance(value, str):
+        return value
+    if value is None or isinstance(value, bool):
+        raise Error(f"the parameter {name} has a number or a text: {value!r}")
+    return number_text(value, name)
+
+
+def _svg_file(of: Lines, engine: str) -> str:
+    if engine != "inters":
+        raise Error(f"svg2lines belongs to the engine inters: {engine!r}")
+    if not isinstance(of, Drawing) or len(of.files) != 1:
+        raise Error("svg2lines needs a drawing that was read from an SVG file")
+    return of.files[0]
+
+
+def _mapped(of: Arrangement, threads: int) -> Arrangement:
+    """The drawing mapped to the unit square, arranged."""
+    lines = Lines(_core.on_unit_square(of.lines._core), of.lines.numbers)
+    return Arrangement(_core.arrange(lines._core, False, threads, None), lines)

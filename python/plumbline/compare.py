@@ -1,0 +1,57 @@
+"""Two arrangements held against each other."""
+
+from __future__ import annotations
+
+from plumbline import _core
+from plumbline._arguments import arrangement_of, size
+from plumbline._core import Comparison, Finding
+from plumbline._numbers import Number
+from plumbline.arrangement import Arrangement
+from plumbline.lines import LinesLike
+
+__all__ = ["Comparison", "Finding", "compare"]
+
+
+def compare(
+    a: Arrangement | LinesLike, b: Arrangement | LinesLike, tolerance: Number = 0
+) -> Comparison:
+    """What is different in the second of two arrangements: cell by cell, as findings.
+
+    Parameters
+    ----------
+    a, b : Arrangement, or line work as `arrange` takes it
+        `a` counts as the right one: what `b` lacks is missing, what it has on top is extra.
+    tolerance : number
+        Vertices match within this distance, compared exactly. Rounded to a double.
+
+    Returns
+    -------
+    Comparison
+        True in a condition where the two agree. Cells are told by their indices in the two.
+
+    Raises
+    ------
+    Error
+        For a negative tolerance; as `arrange`.
+
+    See Also
+    --------
+    plumbline.same : whether two arrangements are the same, to the last digit.
+
+    Notes
+    -----
+    O(n log n) where the two agree; an overlay of the faces that differ where they do not.
+
+    Examples
+    --------
+    >>> import plumbline
+    >>> a = plumbline.arrange("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))")
+    >>> b = plumbline.arrange("POLYGON ((0 0, 2 0, 2 2.001, 0 2, 0 0))")
+    >>> bool(plumbline.compare(a, b, tolerance=0.01))
+    True
+    >>> finding = plumbline.compare(a, b, tolerance=0.0001).findings[0]
+    >>> finding.kind, finding.disagreement, finding.distance
+    ('vertex', 'moved', 0.001)
+    """
+    within = size(tolerance, "the tolerance") or 0.0
+    return _core.compare(arrangement_of(a)._core, arrangement_of(b)._core, within)
