@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    import geopandas  # type: ignore[import-untyped]
+    import geopandas
 
 
 def point_frame(
-    columns: dict[str, list[Any]], coords: NDArray[np.float64], crs: str
+    columns: list[tuple[str, list[Any]]], coords: NDArray[np.float64], crs: str
 ) -> geopandas.GeoDataFrame:
     """A row for each point; None where one has no place. Counts stay integers where some are not
     known."""
@@ -20,7 +20,7 @@ def point_frame(
     import pandas
     import shapely
 
-    data = {name: _column(pandas, values) for name, values in columns.items()}
+    data = {name: _column(pandas, values) for name, values in columns}
     geometry = np.full(len(coords), None, dtype=object)
     there = ~np.isnan(coords).any(axis=1)
     geometry[there] = shapely.points(coords[there])

@@ -52,7 +52,11 @@ def answer_of_result(result: Any) -> _core.Answer:
 def _of_text(text: str) -> _core.Answer:
     start = text.lstrip()[:40]
     if start.startswith("{"):
-        return _of_mapping(json.loads(text), text)
+        try:
+            mapping = json.loads(text)
+        except ValueError as error:
+            raise Error(f"a result that is no JSON: {error}") from None
+        return _of_mapping(mapping, text)
     if start.upper().startswith(_WKT) and ("(" in text or "EMPTY" in text.upper()):
         return _core.read_result_text("wkt", text, "<wkt>")
     return _core.read_result(text)

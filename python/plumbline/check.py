@@ -24,7 +24,7 @@ from plumbline.ladder import Ladder
 from plumbline.lines import Lines, LinesLike
 
 if TYPE_CHECKING:
-    import geopandas  # type: ignore[import-untyped]
+    import geopandas
 
 __all__ = [
     "Answer",
@@ -236,8 +236,9 @@ def check(
         - a GeoDataFrame, a GeoSeries, shapely geometries: polygons are faces, lines edges between
           successive points;
         - a tuple ``(V, EV)`` or ``(V, EV, FV)`` of points, pairs of vertices and lists of vertices
-          (None for an EV that is not there); a dict of these names, with `polygons` and
-          `index_base` if needed;
+          (None for an EV that is not there): each in the order of its face, or any where EV says
+          how they are joined; ends within a face, as `Arrangement.FV` has them, left out; a dict of
+          these names, with `polygons` (per face its rings) or `index_base` if needed;
         - segments (n, 4): edges alone;
         - an `Arrangement`;
         - an `Engine`: a function, which is run on the drawing's segments.

@@ -16,7 +16,7 @@ from plumbline.errors import Error
 from plumbline.lines import LinesLike
 
 if TYPE_CHECKING:
-    import geopandas  # type: ignore[import-untyped]
+    import geopandas
 
 __all__ = [
     "Defect",

@@ -100,9 +100,7 @@ void bind_outputs(nb::class_<Check>& type) {
           "to_svg", [](const Check& c) { return to_svg(c); },
           nb::call_guard<nb::gil_scoped_release>())
       .def("to_html", &page, nb::call_guard<nb::gil_scoped_release>())
-      .def(
-          "finding_table", [](const Check& c) { return point_table(finding_layer(c)); },
-          nb::sig("def finding_table(self) -> " PLUMBLINE_POINT_TABLE));
+      .def("finding_table", [](const Check& c) { return point_table(finding_layer(c)); });
 }
 
 }  // namespace

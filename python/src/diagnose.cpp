@@ -89,8 +89,7 @@ void bind_outputs(nb::class_<Diagnosis>& type) {
           [](const Diagnosis& d, const SegmentSet& input) {
             return point_table(defect_layer(d, input));
           },
-          nb::arg("input"),
-          nb::sig("def defect_table(self, input: SegmentSet) -> " PLUMBLINE_POINT_TABLE));
+          nb::arg("input"));
 }
 
 }  // namespace

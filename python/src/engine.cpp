@@ -90,13 +90,13 @@ Answer renamed(Answer answer, const std::string& engine) {
   return answer;
 }
 
-nb::object coords_of(const FloatComplex& complex) {
+DoubleArray coords_of(const FloatComplex& complex) {
   std::vector<double> coords;
   for (const PointD& p : complex.vertices) coords.insert(coords.end(), {p.x, p.y});
   return array(std::move(coords), 2);
 }
 
-nb::object edges_of(const FloatComplex& complex) {
+IndexArray edges_of(const FloatComplex& complex) {
   std::vector<std::uint32_t> ends;
   for (const Edge& e : complex.edges) {
     for (const std::size_t v : {e.tail, e.head}) ends.push_back(static_cast<std::uint32_t>(v));
@@ -132,11 +132,9 @@ void bind_answer(nb::module_& m) {
       .def_ro("remarks", &Answer::remarks)
       .def_ro("stages", &Answer::stages, "In their order; none: it cannot be looked into.")
       .def_prop_ro(
-          "vertices", [](const Answer& a) { return coords_of(a.complex); },
-          nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.float64]"), "(V, 2).")
+          "vertices", [](const Answer& a) { return coords_of(a.complex); }, "(V, 2).")
       .def_prop_ro(
           "edges", [](const Answer& a) { return edges_of(a.complex); },
-          nb::sig("def edges(self) -> numpy.typing.NDArray[numpy.uint32]"),
           "Pairs of vertices, (E, 2).")
       .def("renamed", &renamed, nb::arg("engine"));
 }

@@ -1,0 +1,453 @@
+"""Results held against the exact arrangement of their drawing."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import warnings
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import geopandas
+import numpy as np
+import plumbline
+import pytest
+import shapely
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+# GEOS issue 1525, "CoverageCleaner does not add a vertex": two overlapping polygons; the merge that
+# is right, and the one that GEOS made, in whose second ring the vertex (1, 1) is missing.
+OVERLAPPING = "POLYGON ((1 0, 1 1, 1 3, 4 0, 1 0))\nPOLYGON ((0 4, 1 3, 1 0, 0 4))"
+RIGHT_MERGE = "POLYGON ((1 0, 1 1, 1 3, 4 0, 1 0))\nPOLYGON ((0 4, 1 3, 1 1, 1 0, 0 4))"
+
+# Two rooms, and a wall that ends in the second one.
+ROOMS = [(0, 0, 4, 0), (4, 0, 4, 2), (4, 2, 0, 2), (0, 2, 0, 0), (2, 0, 2, 2), (2, 1, 3, 1)]
+V = [(0, 0), (0, 2), (2, 0), (2, 1), (2, 2), (3, 1), (4, 0), (4, 2)]
+EV = [(0, 1), (0, 2), (1, 4), (2, 3), (2, 6), (3, 4), (3, 5), (4, 7), (6, 7)]
+FV = [[0, 2, 3, 4, 1], [2, 6, 7, 4, 3]]
+POLYGONS = [
+    shapely.Polygon([(0, 0), (2, 0), (2, 1), (2, 2), (0, 2)]),
+    shapely.Polygon([(2, 0), (4, 0), (4, 2), (2, 2), (2, 1)]),
+]
+
+
+def words(check: plumbline.Check) -> list[tuple[str, str]]:
+    return [(f.kind, f.disagreement) for f in check.findings]
+
+
+def test_the_merge_that_is_right_agrees() -> None:
+    check = plumbline.check(RIGHT_MERGE, OVERLAPPING)
+    assert check.agree
+    assert bool(check)
+    assert check.compared == "faces"
+    assert check.exact.areas[1:] == [Fraction(3, 2), Fraction(9, 2)]
+
+
+def test_the_merge_of_geos_lacks_a_vertex() -> None:
+    check = plumbline.check(OVERLAPPING, OVERLAPPING)
+    assert not check
+    vertex_on_edge = [f for f in check.findings if f.invariant == "vertex on edge"]
+    assert {f.where for f in vertex_on_edge} == {(Fraction(1), Fraction(1))}
+
+
+@pytest.mark.parametrize(
+    ("result", "compared"),
+    [
+        ((V, EV), "graph"),
+        ((np.array(V, dtype=float), np.array(EV), FV), "all"),
+        ((V, EV, [sorted(face) for face in FV]), "all"),
+        ((V, None, FV[:1]), "faces"),
+        ({"V": V, "EV": EV}, "graph"),
+        ({"V": V, "EV": [[a + 1, b + 1] for a, b in EV], "index_base": 1}, "graph"),
+        (POLYGONS, "faces"),
+        (geopandas.GeoSeries(POLYGONS), "faces"),
+        (geopandas.GeoDataFrame({"name": ["a", "b"]}, geometry=POLYGONS), "faces"),
+        (shapely.MultiPolygon(POLYGONS), "faces"),
+        (shapely.GeometryCollection([*POLYGONS, shapely.LineString([(2, 1), (3, 1)])]), "all"),
+        (shapely.node(shapely.MultiLineString(
+            [[row[:2], row[2:]] for row in ROOMS])), "graph"),
+        ([[*V[a], *V[b]] for a, b in EV], "graph"),
+        (np.array([[V[a], V[b]] for a, b in EV]), "graph"),
+        (json.dumps({"V": V, "EV": EV}), "graph"),
+        (shapely.to_geojson(shapely.MultiPolygon(POLYGONS)), "faces"),
+        (shapely.to_wkt(shapely.MultiPolygon(POLYGONS)), "faces"),
+        (plumbline.arrange(ROOMS), "all"),
+    ],
+)
+def test_results_of_every_form_agree(result: Any, compared: str) -> None:
+    some = compared == "faces" and isinstance(result, tuple)
+    check = plumbline.check(result, ROOMS, some_faces=some)
+    assert check.agree, str(check)
+    assert check.compared == ("some faces" if some else compared)
+
+
+def test_a_result_in_memory_is_what_it_is_as_a_file(tmp_path: Path) -> None:
+    moved = [(x + (0.1 if i == 3 else 0), y) for i, (x, y) in enumerate(V)]
+    file = tmp_path / "result.json"
+    file.write_text(json.dumps({"V": moved, "EV": EV, "FV": FV}))
+    of_file, of_lists = plumbline.check(file, ROOMS), plumbline.check((moved, EV, FV), ROOMS)
+    assert [f.message for f in of_file.findings] == [f.message for f in of_lists.findings]
+    assert of_file.answer.title == str(file)
+
+
+def test_a_shifted_vertex_is_found_and_told_exactly() -> None:
+    shifted = [(x, y + (0.25 if i == 5 else 0)) for i, (x, y) in enumerate(V)]
+    check = plumbline.check((shifted, EV), ROOMS, tolerance="0.3")
+    assert check.agree
+    assert check.largest_displacement == 0.25
+    check = plumbline.check((shifted, EV), ROOMS, tolerance=Fraction(1, 5))
+    assert check.tolerance == 0.2
+    moved = check.findings[0]
+    assert (moved.kind, moved.disagreement) == ("vertex", "moved")
+    assert moved.squared_distance == Fraction(1, 16)
+    assert moved.where == (Fraction(3), Fraction(1))
+    assert check.exact.points[moved.exact_cells[0]] == moved.where
+    assert check.answer.vertices[moved.answer_cells[0]].tolist() == [3, 1.25]
+    assert [ROOMS[s] for s in moved.segments] == [ROOMS[5]]
+
+
+EMPTY_RESULTS: list[Any] = [
+    [],
+    np.empty((0, 4)),
+    ([], []),
+    ([], [], []),
+    geopandas.GeoSeries([]),
+    shapely.Polygon(),
+    "GEOMETRYCOLLECTION EMPTY",
+    {"type": "FeatureCollection", "features": []},
+    lambda segments: [],
+]
+
+
+@pytest.mark.parametrize("result", EMPTY_RESULTS)
+def test_an_empty_result_never_agrees(result: Any) -> None:
+    check = plumbline.check(result, ROOMS)
+    assert not check.agree
+    assert not check
+    assert ("vertex", "missing") in words(check)
+
+
+@pytest.mark.parametrize("drawing", [[], np.empty((0, 4)), [(1, 1, 1, 1)]])
+def test_of_an_empty_drawing_nothing_is_said(drawing: Any) -> None:
+    with pytest.raises(plumbline.Error, match="nothing is drawn"):
+        plumbline.check([], drawing)
+    with pytest.raises(plumbline.Error, match="nothing is drawn"):
+        plumbline.cross_check(drawing)
+
+
+BAD_RESULTS: list[Any] = [
+    5,
+    None,
+    object(),
+    ([(0, 0), (1, float("nan"))], [(0, 1)]),
+    ([(0, 0), (1, 1)], [(0, 2**40)]),
+    ([(0, 0), (1, 1)], [(0, -1)]),
+    ([(0, 0), (1, 1)], [0, 1]),
+    ([(0, 0), (1,)], [(0, 1)]),
+    ([(0, 0), ("x", 1)], [(0, 1)]),
+    np.array([[0, 0, np.inf, 1]]),
+    np.zeros((2, 3)),
+    {"EV": EV},
+    {"V": V, "EV": object()},
+    [shapely.Point(0, 0).buffer(1), 7],
+    "no-such-file.json",
+    "{",
+    "POLYGON ((0 0, 1",
+]
+
+
+@pytest.mark.parametrize("result", BAD_RESULTS)
+def test_what_is_no_result_is_refused(result: Any) -> None:
+    with pytest.raises(plumbline.Error):
+        plumbline.check(result, ROOMS)
+
+
+def test_geometries_that_are_not_finite_are_named() -> None:
+    with np.errstate(invalid="ignore"):
+        line = shapely.LineString([(0, 0), (np.nan, 1)])
+    with pytest.raises(plumbline.Error, match="geometry 1"):
+        plumbline.check([POLYGONS[0], line], ROOMS)
+
+
+@pytest.mark.parametrize("tolerance", [-1, "-1e-9", float("nan"), float("inf"), "wide", "1/0"])
+def test_bad_tolerances_are_refused(tolerance: Any) -> None:
+    with pytest.raises(plumbline.Error, match="tolerance"):
+        plumbline.check((V, EV), ROOMS, tolerance=tolerance)
+
+
+def test_points_of_a_result_are_told_and_do_not_count() -> None:
+    check = plumbline.check([*POLYGONS, shapely.Point(1, 1)], ROOMS)
+    assert check.agree
+
+
+# Engines.
+
+
+def test_a_function_is_an_engine() -> None:
+    def polygonize(segments: np.ndarray[Any, Any]) -> list[shapely.Polygon]:
+        segments *= 1  # the array is its own
+        lines = shapely.union_all(shapely.linestrings(segments.reshape(-1, 2, 2)))
+        return list(shapely.get_parts(shapely.polygonize(shapely.get_parts(lines))))
+
+    engine: plumbline.Engine = polygonize
+    check = plumbline.check(engine, ROOMS)
+    assert check.agree
+    assert check.answer.engine == "polygonize"
+    assert repr(check).startswith("<Check of polygonize: agree (the result has polygons alone")
+
+
+def test_causes_name_the_function() -> None:
+    def as_it_is(segments: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+        return segments
+
+    check = plumbline.check(as_it_is, ROOMS)
+    assert not check
+    assert {cause.stage for cause in check.causes} == {"as_it_is"}
+
+
+def test_a_crash_of_an_engine_is_told_with_its_name() -> None:
+    def breaks(segments: np.ndarray[Any, Any]) -> None:
+        raise ZeroDivisionError("of two parallel lines")
+
+    with pytest.raises(plumbline.Error, match="breaks failed: ZeroDivisionError: of two") as caught:
+        plumbline.check(breaks, ROOMS)
+    assert isinstance(caught.value.__cause__, ZeroDivisionError)
+    with pytest.raises(plumbline.Error, match="nothing_at_all returned no result"):
+        plumbline.check(nothing_at_all, ROOMS)
+
+
+def nothing_at_all(segments: np.ndarray[Any, Any]) -> None:
+    pass
+
+
+coordinate = st.integers(0, 6)
+integer_segments = st.lists(
+    st.tuples(coordinate, coordinate, coordinate, coordinate).filter(lambda s: s[:2] != s[2:]),
+    min_size=1,
+    max_size=12,
+)
+
+
+@settings(max_examples=60, deadline=None)
+@given(integer_segments)
+def test_node_and_polygonize_of_shapely_agree_on_integer_drawings(
+    segments: list[tuple[int, int, int, int]],
+) -> None:
+    noded = shapely.node(shapely.MultiLineString([[s[:2], s[2:]] for s in segments]))
+    check = plumbline.check(noded, segments)
+    assert check.agree, str(check)
+    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
+    if len(faces):
+        assert plumbline.check(faces, segments).agree
+
+
+@settings(max_examples=40, deadline=None)
+@given(integer_segments, st.data())
+def test_an_edge_that_is_left_out_is_found(
+    segments: list[tuple[int, int, int, int]], data: st.DataObject
+) -> None:
+    exact = plumbline.arrange(segments)
+    vertices, edges = exact.vertices, exact.edges.tolist()
+    assert plumbline.check((vertices, edges), segments).agree
+    del edges[data.draw(st.integers(0, len(edges) - 1))]
+    check = plumbline.check((vertices, edges), exact)
+    assert ("edge", "missing") in words(check)
+
+
+@settings(max_examples=50, deadline=None)
+@given(
+    st.lists(
+        st.tuples(*[st.floats(allow_nan=False, allow_infinity=False, max_value=1e99, min_value=-1e99)] * 2),
+        min_size=2,
+        max_size=5,
+        unique=True,
+    )
+)
+def test_coordinates_of_geometries_cross_unchanged(points: list[tuple[float, float]]) -> None:
+    line = shapely.LineString(points)
+    answer = plumbline.check(line, ROOMS).answer
+    assert {tuple(p) for p in answer.vertices.tolist()} == set(points)
+
+
+# What a check tells.
+
+
+@pytest.fixture(scope="module")
+def wrong() -> plumbline.Check:
+    return plumbline.check((V, EV[:-2]), plumbline.arrange(ROOMS))
+
+
+def test_a_check_tells_counts_of_both_sides(wrong: plumbline.Check) -> None:
+    assert (wrong.exact_counts.vertices, wrong.answer_counts.vertices) == (8, 8)
+    assert (wrong.exact_counts.edges, wrong.answer_counts.edges) == (9, 7)
+    assert wrong.matched[1] == 7
+    assert wrong.own_findings == 0
+    assert wrong.doubles == wrong.exact
+    assert wrong.conversion_findings == []
+    assert [n for group in wrong.groups for n in group.findings] == [1, 2]
+    assert len(wrong.causes) == len(wrong.findings) == 2
+
+
+def test_texts_pictures_and_pages_are_of_this_check(wrong: plumbline.Check) -> None:
+    assert str(wrong) == wrong.to_text()
+    assert repr(wrong).startswith("<Check of <LAR model>: disagree: 2 findings")
+    assert "\n" not in repr(wrong)
+    said = json.loads(wrong.to_json())
+    assert said["verdict"] == "disagree"
+    assert len(said["findings"]) == 2
+    assert wrong.to_svg().startswith("<svg")
+    assert wrong.to_html().lower().startswith("<!doctype html")
+
+
+def test_notebooks_show_the_page_in_a_sandbox(wrong: plumbline.Check) -> None:
+    shown = wrong._repr_html_()
+    assert shown.startswith('<iframe sandbox="allow-scripts"')
+    inside = shown.partition('srcdoc="')[2].removesuffix('"></iframe>')
+    assert '"' not in inside
+    assert "<" not in inside
+
+
+def test_findings_go_to_geopandas(wrong: plumbline.Check) -> None:
+    frame = wrong.to_geopandas()
+    assert frame["number"].tolist() == [1, 2]
+    assert frame["group"].tolist() == [1 if len(wrong.groups) == 1 else 1, len(wrong.groups)]
+    assert frame["disagreement"].tolist() == ["missing", "missing"]
+    places = [tuple(map(float, f.where)) for f in wrong.findings]
+    assert shapely.get_coordinates(frame.geometry).tolist() == [list(p) for p in places]
+    agreeing = plumbline.check((V, EV), ROOMS).to_geopandas()
+    assert list(agreeing.columns) == list(frame.columns)
+    assert len(agreeing) == 0
+
+
+def test_findings_keep_the_reference_system() -> None:
+    lines = geopandas.GeoSeries(
+        shapely.linestrings(np.array(ROOMS, dtype=float).reshape(-1, 2, 2)), crs="EPSG:25832"
+    )
+    assert plumbline.check(POLYGONS[:1], lines).to_geopandas().crs == "EPSG:25832"
+
+
+def test_a_check_says_why_it_cannot_be_pickled(wrong: plumbline.Check) -> None:
+    with pytest.raises(TypeError, match="a Check cannot be pickled"):
+        pickle.dumps(wrong)
+
+
+def test_lost_parts_of_a_result_are_warned_of_and_are_no_agreement() -> None:
+    text = json.dumps(
+        {
+            "type": "GeometryCollection",
+            "geometries": [
+                shapely.geometry.mapping(POLYGONS[0]),
+                shapely.geometry.mapping(POLYGONS[1]),
+                {"type": "Curve", "coordinates": [[0, 0], [1, 1]]},
+            ],
+        }
+    )
+    with pytest.warns(plumbline.LossWarning, match="of the result cannot be read"):
+        check = plumbline.check(text, ROOMS)
+    assert check.agree
+    assert not check
+
+
+# Engines of the library. Counts and texts: what `plumbline check FILE [--engine inters]` says of
+# the examples, version 0.1.0.
+
+
+def test_float_lar_is_as_the_tool_says(examples: Path) -> None:
+    check = plumbline.cross_check(examples / "flat.dxf")
+    assert check.agree
+    assert (check.exact_counts.vertices, check.exact_counts.edges) == (228, 230)
+    assert check.answer.radius_from == "segment"
+    assert check.right_radii
+    assert check.right_radii.advised == 3e-08
+    assert check.to_text().splitlines()[1] == (
+        "float LAR is right with --radius 3e-08, and with all tried from 1.52743e-13 to 0.00585309 "
+        "(6)."
+    )
+    said = json.loads(check.to_json())
+    assert said["verdict"] == "agree"
+
+
+def test_lar_as_published_is_as_the_tool_says(examples: Path) -> None:
+    drawing = plumbline.read(examples / "building.svg")
+    check = plumbline.cross_check(drawing, variant="published", unit_square=True)
+    assert check.to_text(0).splitlines()[0] == "disagree: 658 findings in 32 groups"
+    check = plumbline.cross_check(drawing, "inters", decimals=4, radius=0.001)
+    assert check.to_text(0).splitlines()[0] == "disagree: 2411 findings in 35 groups"
+    assert check.answer.parameters["result"] == "larFromLines"
+    said = json.loads(check.to_json())
+    assert len(said["findings"]) == 2411
+    assert [f["message"] for f in said["findings"]] == [f.message for f in check.findings]
+
+
+def test_parameters_that_an_engine_has_not_are_refused_with_those_that_it_has() -> None:
+    with pytest.raises(plumbline.Error, match=r"no such parameter; it has radius.*decimals"):
+        plumbline.cross_check(ROOMS, decimals=3)
+    with pytest.raises(plumbline.Error, match="there are lar, inters, files"):
+        plumbline.cross_check(ROOMS, "cgal")
+    with pytest.raises(plumbline.Error, match="the parameter decimals is an integer"):
+        plumbline.cross_check(ROOMS, "inters", decimals=2.5)
+    with pytest.raises(plumbline.Error, match="the parameter result is larFromLines or"):
+        plumbline.cross_check(ROOMS, "inters", result="everything")
+    with pytest.raises(plumbline.Error, match="radius"):
+        plumbline.cross_check(ROOMS, radius=float("nan"))
+    with pytest.raises(plumbline.Error, match="variants"):
+        plumbline.cross_check(ROOMS, variant="new")  # type: ignore[arg-type]
+    with pytest.raises(plumbline.Error, match="read from an SVG"):
+        plumbline.cross_check(ROOMS, "inters", svg2lines=True)
+
+
+def test_presets_of_the_radius_are_known() -> None:
+    assert plumbline.cross_check(ROOMS, radius="larlib").answer.radius == 0.004
+    assert plumbline.cross_check(ROOMS, radius="plasm").answer.radius == 1e-8
+    assert plumbline.cross_check(ROOMS, radius="1/8").answer.radius == 0.125
+
+
+def test_svg2lines_is_told_of_the_file(examples: Path) -> None:
+    drawing = plumbline.read(examples / "dwelling.svg")
+    plain = plumbline.cross_check(drawing, "inters")
+    told = plumbline.cross_check(drawing, "inters", svg2lines=True)
+    assert len(told.findings) >= len(plain.findings)
+
+
+def test_without_advice_no_radius_is_tried() -> None:
+    assert plumbline.cross_check(ROOMS, advice=False).right_radii is None
+    assert plumbline.cross_check(ROOMS, advice=True).right_radii
+
+
+def test_parsing_and_transforming_are_told_apart(tmp_path: Path) -> None:
+    svg = tmp_path / "tee.svg"
+    line = '<line x1="0" y1="0" x2="0.9" y2="0.3"/><line x1="0.3" y1="0.2" x2="0.3" y2="0.1"/>'
+    head = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1">'
+    svg.write_text(f"{head}{line}</svg>")
+    parsed = plumbline.cross_check(svg)
+    svg.write_text(f'{head}<g transform="scale(0.1)">{line.replace("0.", "")}</g></svg>')
+    transformed = plumbline.cross_check(svg)
+    assert {c.stage for c in parsed._core.conversion_causes} == {"parse"}
+    assert {c.stage for c in transformed._core.conversion_causes} == {"transform"}
+
+
+def test_ctrl_c_and_errors_of_a_callback_end_the_work() -> None:
+    def stop(part: float) -> None:
+        raise KeyboardInterrupt
+
+    exact = plumbline.arrange(ROOMS)
+    with pytest.raises(KeyboardInterrupt):
+        plumbline.cross_check(exact, progress=stop)
+    with pytest.raises(KeyboardInterrupt):
+        plumbline.check((V, EV), exact, progress=stop)
+
+
+def test_threads_do_not_change_the_result(examples: Path) -> None:
+    drawing = plumbline.read(examples / "building.svg")
+    one, many = (plumbline.cross_check(drawing, threads=n, advice=False) for n in (1, 2))
+    assert one.to_json() == many.to_json()
+    with pytest.raises(plumbline.Error, match="threads"):
+        plumbline.cross_check(drawing, threads=0)
+
+
+def test_there_are_no_warnings_where_all_is_read() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        plumbline.check((V, EV, FV), ROOMS)
