@@ -46,10 +46,13 @@ def size_text(value: Number, what: str) -> str:
     return text
 
 
-def size(value: Number | None, what: str) -> float | None:
+def optional_size(value: Number | None, what: str) -> float | None:
     """The nearest double of a number that is not negative; None for None."""
-    if value is None:
-        return None
+    return None if value is None else size(value, what)
+
+
+def size(value: Number, what: str) -> float:
+    """The nearest double of a number that is not negative."""
     nearest = _core.nearest_double(size_text(value, what))
     if not math.isfinite(nearest):
         raise Error(f"{what} is too large: {value!r}")

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plumbline import _core
-from plumbline._arguments import arrangement_of, number_text, size, threads_of
+from plumbline._arguments import arrangement_of, number_text, optional_size, threads_of
 from plumbline._core import Answer, Cause, ChangedFaces, Finding, FindingGroup, RightRadii
 from plumbline._numbers import Number, Numbers
 from plumbline._points import point_frame
@@ -305,7 +305,7 @@ def check(
     _warn_of_losses(answer)
     if some_faces:
         _core.choose_some_faces(answer)
-    within = size(tolerance, "the tolerance")
+    within = optional_size(tolerance, "the tolerance")
     with told(progress, "checking") as callback:
         core = _core.check(
             exact.lines._core,
@@ -401,7 +401,7 @@ def cross_check(
     )
     _warn_of_losses(answer)
     exact = _mapped(of, count) if unit_square else of
-    within = size(tolerance, "the tolerance")
+    within = optional_size(tolerance, "the tolerance")
     with told(progress, "checking") as callback:
         core = _core.check(
             exact.lines._core,

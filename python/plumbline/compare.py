@@ -53,5 +53,5 @@ def compare(
     >>> finding.kind, finding.disagreement, finding.distance
     ('vertex', 'moved', 0.001)
     """
-    within = size(tolerance, "the tolerance") or 0.0
+    within = size(tolerance, "the tolerance")
     return _core.compare(arrangement_of(a)._core, arrangement_of(b)._core, within)

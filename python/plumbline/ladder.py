@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from plumbline import _core
-from plumbline._arguments import arrangement_of, count, size
+from plumbline._arguments import arrangement_of, count, optional_size
 from plumbline._core import LadderStep
 from plumbline._numbers import Number
 from plumbline.arrangement import Arrangement
@@ -113,6 +113,8 @@ def ladder(
     if not arrangement.counts.vertices:
         raise Error("there is nothing drawn that could fall together")
     core = _core.tolerance_ladder(
-        arrangement._core, count(max_steps, "max_steps"), size(largest_radius, "largest_radius")
+        arrangement._core,
+        count(max_steps, "max_steps"),
+        optional_size(largest_radius, "largest_radius"),
     )
     return Ladder(core, arrangement)
