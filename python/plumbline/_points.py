@@ -31,4 +31,5 @@ def _column(pandas: Any, values: list[Any]) -> Any:
     kinds = {type(value) for value in values} - {type(None)}
     if kinds == {int} and None in values:
         return pandas.array(values, dtype="Int64")
-    return pandas.Series(values, dtype="float64" if kinds <= {float} else None)
+    is_float = kinds <= {float} and len(values) > 0
+    return pandas.Series(values, dtype="float64" if is_float else object if str in kinds else None)

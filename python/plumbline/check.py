@@ -108,9 +108,17 @@ class Check:
         return self._core.conversion.findings
 
     @cached_property
+    def conversion_causes(self) -> list[Cause]:
+        """Of those: whether reading the numbers makes them ("parse"), or applying maps
+        ("transform")."""
+        return self._core.conversion_causes
+
+    @cached_property
     def doubles(self) -> Arrangement:
-        """The exact arrangement of the drawing's numbers, each rounded to the nearest double."""
-        return Arrangement(self._core.doubles_complex, self.exact.lines)
+        """The exact arrangement of the drawing's numbers, each rounded to the nearest double, with
+        lines of its own. Arranged when asked for."""
+        of = Lines(_core.in_doubles(self.exact.lines._core), "doubles")
+        return Arrangement(_core.arrange(of._core, False, 0, None), of)
 
     @property
     def answer(self) -> Answer:
@@ -238,7 +246,8 @@ def check(
         - a tuple ``(V, EV)`` or ``(V, EV, FV)`` of points, pairs of vertices and lists of vertices
           (None for an EV that is not there): each in the order of its face, or any where EV says
           how they are joined; ends within a face, as `Arrangement.FV` has them, left out; a dict of
-          these names, with `polygons` (per face its rings) or `index_base` if needed;
+          these names, with `polygons` (per face its rings) or `index_base` if needed. Indices
+          count from 0, or from 1 where that alone fits;
         - segments (n, 4): edges alone;
         - an `Arrangement`;
         - an `Engine`: a function, which is run on the drawing's segments.
@@ -297,6 +306,7 @@ def check(
     >>> bool(plumbline.check(nothing_to_do, drawing))
     False
     """
+    within, count = optional_size(tolerance, "the tolerance"), threads_of(threads)
     exact = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads))
     if callable(result) and not isinstance(result, Arrangement):
         answer = _answer_of_function(result, exact.lines)
@@ -305,7 +315,6 @@ def check(
     _warn_of_losses(answer)
     if some_faces:
         _core.choose_some_faces(answer)
-    within = optional_size(tolerance, "the tolerance")
     with told(progress, "checking") as callback:
         core = _core.check(
             exact.lines._core,
@@ -316,7 +325,7 @@ def check(
             within,
             False,
             False,
-            threads_of(threads),
+            count,
             callback,
         )
     return Check(core, exact)
@@ -389,8 +398,8 @@ def cross_check(
     engine = _engine_of_variant(engine, variant)
     settings = [(name, _setting(name, value)) for name, value in parameters.items()]
     _core.engine_parameters(engine)  # refused at once where there is no such engine
+    within, count = optional_size(tolerance, "the tolerance"), threads_of(threads)
     of = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads))
-    count = threads_of(threads)
     answer = _core.engine_answer(
         engine,
         of.lines._core,
@@ -401,7 +410,6 @@ def cross_check(
     )
     _warn_of_losses(answer)
     exact = _mapped(of, count) if unit_square else of
-    within = optional_size(tolerance, "the tolerance")
     with told(progress, "checking") as callback:
         core = _core.check(
             exact.lines._core,
@@ -455,9 +463,11 @@ def _answer_of_function(engine: Engine, of: Lines) -> Answer:
     if callable(result) and not isinstance(result, Arrangement):
         raise Error(f"the engine {name} returned a function")
     try:
-        return answer_of_result(result).renamed(name)
+        answer = answer_of_result(result)
     except Error as error:
         raise Error(f"the engine {name} returned no result: {error}") from error
+    answer.rename(name)
+    return answer
 
 
 def _warn_of_losses(answer: Answer) -> None:

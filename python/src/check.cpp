@@ -47,6 +47,26 @@ Check checked_as_asked(const SegmentSet& input, const ExactComplex& complex, con
                      advice);
 }
 
+/// The lines with every number rounded to the nearest double: those of Check::doubles_complex.
+SegmentSet in_doubles(const SegmentSet& lines) {
+  SegmentSet result = lines;
+  result.segments = {};
+  result.segment_source.clear();
+  result.rounding.clear();
+  result.rings.clear();
+  result.points.clear();
+  result.point_source.clear();
+  for (std::size_t s = 0; s < lines.segments.size(); ++s) {
+    const auto n = lines.segments.numbers(s);
+    result.add(nearest(NumberPoint{n[0], n[1]}), nearest(NumberPoint{n[2], n[3]}),
+               lines.segment_source[s]);
+  }
+  for (std::size_t p = 0; p < lines.points.size(); ++p) {
+    result.add_point(exact(nearest(lines.points[p])), lines.point_source[p]);
+  }
+  return result;
+}
+
 std::string page(const Check& check) {
   if (check.ladder) return to_html(check);
   AdviceOptions ladder_alone;
@@ -113,7 +133,6 @@ void bind_check(nb::module_& m) {
       .def("own_findings", &Check::own_findings)
       .def_ro("input", &Check::input)
       .def_ro("exact_complex", &Check::exact_complex)
-      .def_ro("doubles_complex", &Check::doubles_complex)
       .def_ro("answer", &Check::answer)
       .def_ro("comparison", &Check::comparison)
       .def_ro("causes", &Check::causes)
@@ -139,6 +158,7 @@ void bind_check(nb::module_& m) {
       nb::arg("input"), nb::arg("complex"), nb::arg("answer"), nb::arg("structure").none(),
       nb::arg("unit_square"), nb::arg("tolerance").none(), nb::arg("right_radii").none(),
       nb::arg("ladder"), nb::arg("threads"), nb::arg("progress").none());
+  m.def("in_doubles", &in_doubles, nb::arg("lines"), nb::call_guard<nb::gil_scoped_release>());
   m.def(
       "choose_some_faces",
       [](Answer& answer) {

@@ -83,11 +83,10 @@ files::Result read_result_text(const std::string& format, const std::string& tex
   throw Error(ErrorCode::BadInput, "texts are not read as results in this format", {}, format);
 }
 
-/// The same result under the name of the function that made it.
-Answer renamed(Answer answer, const std::string& engine) {
+/// Gives a result the name of the function that made it.
+void rename(Answer& answer, const std::string& engine) {
   answer.engine = answer.title = engine;
   for (Explained& failure : answer.failures) failure.cause.stage = engine;
-  return answer;
 }
 
 DoubleArray coords_of(const FloatComplex& complex) {
@@ -136,7 +135,7 @@ void bind_answer(nb::module_& m) {
       .def_prop_ro(
           "edges", [](const Answer& a) { return edges_of(a.complex); },
           "Pairs of vertices, (E, 2).")
-      .def("renamed", &renamed, nb::arg("engine"));
+      .def("rename", &rename, nb::arg("engine"));
 }
 
 void bind_results(nb::module_& m) {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import pickle
 import warnings
@@ -299,6 +300,25 @@ def test_a_check_tells_counts_of_both_sides(wrong: plumbline.Check) -> None:
     assert len(wrong.causes) == len(wrong.findings) == 2
 
 
+def test_the_arrangement_in_doubles_has_lines_of_its_own() -> None:
+    tee = [("0", 0, "0.9", "0.3"), ("0.3", "0.2", "0.3", "0.1"), ("1e-400", 0, 0, 0)]
+    check = plumbline.cross_check(tee)
+    assert {f.kind for f in check.conversion_findings} >= {"vertex", "edge"}
+    assert len(check.doubles.lines) == 2
+    assert check.doubles == plumbline.arrange(np.array(tee, dtype=float), numbers="doubles")
+    assert plumbline.validate(check.doubles) == []
+    assert pickle.loads(pickle.dumps(check.doubles)) == check.doubles
+    assert check.doubles.lines.source_text(1) == check.exact.lines.source_text(1)
+
+
+def test_findings_outlive_their_check() -> None:
+    findings = plumbline.check((V, EV[:-2]), ROOMS).findings
+    faces = plumbline.cross_check([(0, 0, 8, 0), (0, "0.001", 8, 0)]).groups
+    gc.collect()
+    assert [f.kind for f in findings] == ["edge", "edge"]
+    assert faces[0].lead == 1
+
+
 def test_texts_pictures_and_pages_are_of_this_check(wrong: plumbline.Check) -> None:
     assert str(wrong) == wrong.to_text()
     assert repr(wrong).startswith("<Check of <LAR model>: disagree: 2 findings")
@@ -433,8 +453,8 @@ def test_parsing_and_transforming_are_told_apart(tmp_path: Path) -> None:
     parsed = plumbline.cross_check(svg)
     svg.write_text(f'{head}<g transform="scale(0.1)">{line.replace("0.", "")}</g></svg>')
     transformed = plumbline.cross_check(svg)
-    assert {c.stage for c in parsed._core.conversion_causes} == {"parse"}
-    assert {c.stage for c in transformed._core.conversion_causes} == {"transform"}
+    assert {c.stage for c in parsed.conversion_causes} == {"parse"}
+    assert {c.stage for c in transformed.conversion_causes} == {"transform"}
 
 
 def test_ctrl_c_and_errors_of_a_callback_end_the_work() -> None:
