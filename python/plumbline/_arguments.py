@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from plumbline import _core
-from plumbline._numbers import Number, Numbers, exact_text
+from plumbline._numbers import Numbers
 from plumbline._progress import Progress
 from plumbline.arrangement import Arrangement, arrange
 from plumbline.errors import Error
@@ -28,35 +27,18 @@ def arrangement_of(
     return drawing
 
 
-def number_text(value: Number, what: str) -> str:
-    """The exact text of a number, known to be one."""
-    try:
-        text = exact_text(value)
-        _core.nearest_double(text)
-    except ValueError as error:
-        raise Error(f"{what} is a number: {value!r} ({error})") from None
-    return text
+def ensure_none(options: dict[str, Any]) -> None:
+    """Of options for writing, where there are none to choose."""
+    if options:
+        raise Error(f"this is written without options: {', '.join(options)}")
 
 
-def size_text(value: Number, what: str) -> str:
-    """The exact text of a number that is not negative."""
-    text = number_text(value, what)
-    if _core.nearest_double(text) < 0:
-        raise Error(f"{what} is not negative: {value!r}")
-    return text
-
-
-def optional_size(value: Number | None, what: str) -> float | None:
-    """The nearest double of a number that is not negative; None for None."""
-    return None if value is None else size(value, what)
-
-
-def size(value: Number, what: str) -> float:
-    """The nearest double of a number that is not negative."""
-    nearest = _core.nearest_double(size_text(value, what))
-    if not math.isfinite(nearest):
-        raise Error(f"{what} is too large: {value!r}")
-    return nearest
+def written_table(table: _core.Table, format: str, what: str) -> str:
+    """The rows of a result in a format of features."""
+    formats = ("geojson", "topojson", "dxf", "wkt", "csv", "wkb")
+    if format not in formats:
+        raise Error(f"{what} is written as json, pictures or {', '.join(formats)}: {format!r}")
+    return table.written(format)
 
 
 def count(value: Any, what: str) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Union
@@ -29,7 +30,9 @@ def size_text(what: str, value: Number) -> str:
     try:
         if isinstance(value, bool):
             raise ValueError
-        size = Fraction(exact_text(value))
+        text = exact_text(value)
+        _core.nearest_double(text)  # refuses exponents that would fill the memory
+        size = Fraction(text)
     except (ValueError, ZeroDivisionError, TypeError):
         raise Error(f"{what} is a number of 0 or more, in drawing units: {value!r}") from None
     if size < 0:
@@ -40,6 +43,14 @@ def size_text(what: str, value: Number) -> str:
 def optional_size(what: str, value: Number | None) -> str | None:
     """The same, None for None."""
     return None if value is None else size_text(what, value)
+
+
+def nearest_size(what: str, value: Number) -> float:
+    """The nearest double of such a size; an Error for one beyond the doubles."""
+    nearest = _core.nearest_double(size_text(what, value))
+    if not math.isfinite(nearest):
+        raise Error(f"{what} is a number that doubles can hold: {value!r:.60}")
+    return nearest
 
 
 def names(values: str | Sequence[str]) -> list[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import warnings
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, NoReturn, Protocol, Union
@@ -11,12 +10,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plumbline import _core
-from plumbline._arguments import arrangement_of, number_text, optional_size, threads_of
+from plumbline._arguments import (
+    arrangement_of,
+    ensure_none,
+    threads_of,
+    written_table,
+)
 from plumbline._core import Answer, Cause, ChangedFaces, Finding, FindingGroup, RightRadii
-from plumbline._numbers import Number, Numbers
-from plumbline._points import point_frame
+from plumbline._notebook import framed
+from plumbline._numbers import Number, Numbers, exact_text
 from plumbline._progress import Progress, told
 from plumbline._results import answer_of_result
+from plumbline._sizes import nearest_size
+from plumbline._tables import to_geodataframe
 from plumbline.arrangement import Arrangement
 from plumbline.drawing import Drawing
 from plumbline.errors import Error, LossWarning
@@ -24,7 +30,7 @@ from plumbline.ladder import Ladder
 from plumbline.lines import Lines, LinesLike
 
 if TYPE_CHECKING:
-    import geopandas
+    from geopandas import GeoDataFrame
 
 __all__ = [
     "Answer",
@@ -40,9 +46,6 @@ __all__ = [
     "engine_names",
     "engine_parameters",
 ]
-
-MOST_EDGES_IN_NOTEBOOKS = 200_000
-"""Of larger drawings notebooks show the text of a check: the page would have tens of megabytes."""
 
 ResultLike = Any
 """What `check` takes as a result: see there."""
@@ -190,11 +193,11 @@ class Check:
         """A page to look at all of it in a browser, with the ladder. Loads nothing else."""
         return self._core.to_html()
 
-    def to_geopandas(self) -> geopandas.GeoDataFrame:
+    def to_geopandas(self) -> GeoDataFrame:
         """Findings as points with the columns number, group, kind, disagreement, invariant, stage,
         rule, message, advice, distance, exact_x, exact_y, sources; a finding about the result as a
         whole has no point. Needs GeoPandas."""
-        return point_frame(*self._core.finding_table(), self.exact.lines.crs)
+        return to_geodataframe(self._core.table(), self.exact.lines.crs)
 
     def __str__(self) -> str:
         return self.to_text()
@@ -207,15 +210,16 @@ class Check:
             f"exact {n.vertices} vertices, {n.edges} edges, {n.faces - 1} bounded faces>"
         )
 
-    def _repr_html_(self) -> str:
-        edges = self.exact_counts.edges + self.answer_counts.edges
-        if edges > MOST_EDGES_IN_NOTEBOOKS:
-            note = f"{edges} edges are too many for a page in a notebook: see to_html().\n\n"
-            return f"<pre>{html.escape(note + self.to_text())}</pre>"
-        return (
-            '<iframe sandbox="allow-scripts" style="width: 100%; height: 640px; border: 0" '
-            f'srcdoc="{html.escape(self.to_html(), quote=True)}"></iframe>'
-        )
+    def _repr_html_(self) -> str | None:
+        return framed(self.to_html(), 640)
+
+    def _written(self, format: str, **options: Any) -> str:
+        """The content of a file: what `plumbline.write` asks for."""
+        ensure_none(options)
+        forms = {"json": self.to_json, "svg": self.to_svg, "html": self.to_html}
+        if format in forms:
+            return forms[format]()
+        return written_table(self._core.table(), format, "a check")
 
     def __reduce__(self) -> NoReturn:
         raise TypeError(
@@ -306,7 +310,7 @@ def check(
     >>> bool(plumbline.check(nothing_to_do, drawing))
     False
     """
-    within, count = optional_size(tolerance, "the tolerance"), threads_of(threads)
+    within, count = _tolerance(tolerance), threads_of(threads)
     exact = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads))
     if callable(result) and not isinstance(result, Arrangement):
         answer = _answer_of_function(result, exact.lines)
@@ -398,7 +402,7 @@ def cross_check(
     engine = _engine_of_variant(engine, variant)
     settings = [(name, _setting(name, value)) for name, value in parameters.items()]
     _core.engine_parameters(engine)  # refused at once where there is no such engine
-    within, count = optional_size(tolerance, "the tolerance"), threads_of(threads)
+    within, count = _tolerance(tolerance), threads_of(threads)
     of = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads))
     answer = _core.engine_answer(
         engine,
@@ -441,6 +445,10 @@ def engine_parameters(engine: str) -> list[_core.Parameter]:
     ['radius', 'decimals', 'result']
     """
     return _core.engine_parameters(engine)
+
+
+def _tolerance(value: Number | None) -> float | None:
+    return None if value is None else nearest_size("the tolerance", value)
 
 
 def _drawn(exact: Arrangement) -> Arrangement:
@@ -498,7 +506,10 @@ def _setting(name: str, value: Number | None) -> str:
         return value
     if value is None or isinstance(value, bool):
         raise Error(f"the parameter {name} has a number or a text: {value!r}")
-    return number_text(value, name)
+    try:
+        return exact_text(value)
+    except ValueError as error:
+        raise Error(f"the parameter {name}: {error}") from None
 
 
 def _svg_file(of: Lines, engine: str) -> str:

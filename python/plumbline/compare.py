@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from plumbline import _core
-from plumbline._arguments import arrangement_of, size
+from plumbline._arguments import arrangement_of
 from plumbline._core import Comparison, Finding
 from plumbline._numbers import Number
+from plumbline._sizes import nearest_size
 from plumbline.arrangement import Arrangement
 from plumbline.lines import LinesLike
 
@@ -53,5 +54,5 @@ def compare(
     >>> finding.kind, finding.disagreement, finding.distance
     ('vertex', 'moved', 0.001)
     """
-    within = size(tolerance, "the tolerance")
+    within = nearest_size("the tolerance", tolerance)
     return _core.compare(arrangement_of(a)._core, arrangement_of(b)._core, within)

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from plumbline import _core
-from plumbline._arguments import arrangement_of, count, size_text
+from plumbline._arguments import arrangement_of, count, ensure_none, written_table
 from plumbline._core import Defect, InvalidRing, Opening, ToleranceEffect
+from plumbline._notebook import drawn
 from plumbline._numbers import Number, Numbers
-from plumbline._points import point_frame
+from plumbline._sizes import optional_size, size_text
+from plumbline._tables import to_geodataframe
 from plumbline.arrangement import Arrangement
 from plumbline.errors import Error
 from plumbline.lines import LinesLike
 
 if TYPE_CHECKING:
-    import geopandas
+    from geopandas import GeoDataFrame
 
 __all__ = [
     "Defect",
@@ -115,14 +117,23 @@ class Diagnosis:
         """A panel for each kind: the drawing with the defects marked by their numbers."""
         return self._core.to_svg(self.arrangement.lines._core, self.arrangement._core)
 
-    def to_geopandas(self) -> geopandas.GeoDataFrame:
+    def to_geopandas(self) -> GeoDataFrame:
         """Defects, and then openings, as points with the columns number, rank, kind, message, size,
         open_area, tolerance, exact_x, exact_y, sources. Needs GeoPandas."""
         of = self.arrangement.lines
-        return point_frame(*self._core.defect_table(of._core), of.crs)
+        return to_geodataframe(self._core.table(of._core), of.crs)
 
-    def _repr_svg_(self) -> str:
-        return self.to_svg()
+    def _repr_svg_(self) -> str | None:
+        return drawn(self.to_svg())
+
+    def _written(self, format: str, **options: Any) -> str:
+        """The content of a file: what `plumbline.write` asks for."""
+        ensure_none(options)
+        forms = {"json": self.to_json, "svg": self.to_svg}
+        if format in forms:
+            return forms[format]()
+        table = self._core.table(self.arrangement.lines._core)
+        return written_table(table, format, "a diagnosis")
 
     def __str__(self) -> str:
         return self.to_text()
@@ -184,7 +195,7 @@ def diagnose(
     core = _core.diagnose(
         arrangement.lines._core,
         arrangement._core,
-        None if within is None else size_text(within, "within"),
+        optional_size("within", within),
         count(most_listed, "most_listed"),
         _door_widths(doors),
     )
@@ -196,7 +207,7 @@ def _door_widths(doors: Sequence[Number] | None) -> tuple[str, str] | None:
         return None
     if isinstance(doors, str) or not hasattr(doors, "__len__") or len(doors) != 2:
         raise Error(f"doors are from one width to another: {doors!r}")
-    least, most = (size_text(width, "the width of a door") for width in doors)
+    least, most = (size_text("the width of a door", width) for width in doors)
     if Fraction(least) > Fraction(most):
         raise Error(f"doors are from the least width to the largest: {doors!r}")
     return least, most

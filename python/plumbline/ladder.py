@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from plumbline import _core
-from plumbline._arguments import arrangement_of, count, optional_size
+from plumbline._arguments import arrangement_of, count, ensure_none
 from plumbline._core import LadderStep
+from plumbline._notebook import drawn
 from plumbline._numbers import Number
+from plumbline._sizes import nearest_size
 from plumbline.arrangement import Arrangement
 from plumbline.errors import Error
 from plumbline.lines import LinesLike
@@ -55,7 +59,14 @@ class Ladder:
         """A picture: numbers of cells over the logarithm of the radius."""
         return self._core.to_svg(self.right_radii)
 
-    def _repr_svg_(self) -> str:
+    def _repr_svg_(self) -> str | None:
+        return drawn(self.to_svg())
+
+    def _written(self, format: str, **options: Any) -> str:
+        """The content of a file: what `plumbline.write` asks for."""
+        ensure_none(options)
+        if format != "svg":
+            raise Error(f"a ladder is written as svg: {format!r}")
         return self.to_svg()
 
     def __str__(self) -> str:
@@ -115,6 +126,6 @@ def ladder(
     core = _core.tolerance_ladder(
         arrangement._core,
         count(max_steps, "max_steps"),
-        optional_size(largest_radius, "largest_radius"),
+        None if largest_radius is None else nearest_size("largest_radius", largest_radius),
     )
     return Ladder(core, arrangement)

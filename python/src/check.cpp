@@ -8,7 +8,7 @@
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
-#include "point_layer.hpp"
+#include "table.hpp"
 
 namespace plumbline::python {
 namespace {
@@ -74,6 +74,10 @@ std::string page(const Check& check) {
   return to_html(advised(check, ladder_alone));
 }
 
+Table finding_table(const Check& check) {
+  return {{{finding_layer(check)}, check.input.crs, "", {}, check.input.unit}};
+}
+
 void bind_groups(nb::module_& m) {
   nb::class_<ChangedFaces>(m, "ChangedFaces", "What became of exact faces in an answer.")
       .def_prop_ro(
@@ -120,7 +124,7 @@ void bind_outputs(nb::class_<Check>& type) {
           "to_svg", [](const Check& c) { return to_svg(c); },
           nb::call_guard<nb::gil_scoped_release>())
       .def("to_html", &page, nb::call_guard<nb::gil_scoped_release>())
-      .def("finding_table", [](const Check& c) { return point_table(finding_layer(c)); });
+      .def("table", &finding_table, nb::call_guard<nb::gil_scoped_release>(), "Of the findings.");
 }
 
 }  // namespace

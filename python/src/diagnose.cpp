@@ -10,7 +10,7 @@
 
 #include "core.hpp"
 #include "plumbline/output.hpp"
-#include "point_layer.hpp"
+#include "table.hpp"
 
 namespace plumbline::python {
 namespace {
@@ -68,6 +68,10 @@ std::map<std::string, std::size_t> counts_by_kind(const Diagnosis& diagnosis) {
   return result;
 }
 
+Table defect_table(const Diagnosis& diagnosis, const SegmentSet& input) {
+  return {{{defect_layer(diagnosis, input)}, input.crs, "", {}, input.unit}};
+}
+
 void bind_outputs(nb::class_<Diagnosis>& type) {
   type.def(
           "to_text",
@@ -84,12 +88,8 @@ void bind_outputs(nb::class_<Diagnosis>& type) {
             return to_svg(d, input, complex);
           },
           nb::arg("input"), nb::arg("complex"), nb::call_guard<nb::gil_scoped_release>())
-      .def(
-          "defect_table",
-          [](const Diagnosis& d, const SegmentSet& input) {
-            return point_table(defect_layer(d, input));
-          },
-          nb::arg("input"));
+      .def("table", &defect_table, nb::arg("input"), nb::call_guard<nb::gil_scoped_release>(),
+           "Of the defects, and then the openings.");
 }
 
 }  // namespace

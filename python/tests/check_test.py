@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import html
 import json
 import pickle
 import warnings
@@ -178,7 +179,7 @@ def test_geometries_that_are_not_finite_are_named() -> None:
         plumbline.check([POLYGONS[0], line], ROOMS)
 
 
-@pytest.mark.parametrize("tolerance", [-1, "-1e-9", float("nan"), float("inf"), "wide", "1/0"])
+@pytest.mark.parametrize("tolerance", [-1, "-1e-9", float("nan"), float("inf"), "wide", "1/0", "1e999999999", True])
 def test_bad_tolerances_are_refused(tolerance: Any) -> None:
     with pytest.raises(plumbline.Error, match="tolerance"):
         plumbline.check((V, EV), ROOMS, tolerance=tolerance)
@@ -330,12 +331,23 @@ def test_texts_pictures_and_pages_are_of_this_check(wrong: plumbline.Check) -> N
     assert wrong.to_html().lower().startswith("<!doctype html")
 
 
+def test_checks_are_written_in_all_their_forms(wrong: plumbline.Check) -> None:
+    assert wrong._written("json") == wrong.to_json()
+    assert wrong._written("html") == wrong.to_html()
+    assert len(json.loads(wrong._written("geojson"))["features"]) == 2
+    assert wrong._written("csv").count("\n") == 3
+    with pytest.raises(plumbline.Error, match="a check is written as"):
+        wrong._written("obj")
+    with pytest.raises(plumbline.Error, match="without options: cells"):
+        wrong._written("json", cells="faces")
+
+
 def test_notebooks_show_the_page_in_a_sandbox(wrong: plumbline.Check) -> None:
     shown = wrong._repr_html_()
-    assert shown.startswith('<iframe sandbox="allow-scripts"')
-    inside = shown.partition('srcdoc="')[2].removesuffix('"></iframe>')
-    assert '"' not in inside
-    assert "<" not in inside
+    assert shown is not None
+    assert 'sandbox="allow-scripts"' in shown
+    page = shown.partition('srcdoc="')[2].partition('"')[0]
+    assert html.unescape(page) == wrong.to_html()
 
 
 def test_findings_go_to_geopandas(wrong: plumbline.Check) -> None:

@@ -110,6 +110,7 @@ def test_a_diagnosis_is_as_the_tool_says(examples: Path) -> None:
     assert len(said["defects"]) == len(diagnosis.defects)
     assert diagnosis.to_svg().startswith("<svg")
     assert diagnosis.to_text().count("\n") < 40
+    assert diagnosis._written("json") == diagnosis.to_json()
     frame = diagnosis.to_geopandas()
     assert len(frame) == len(diagnosis.defects) + len(diagnosis.openings)
     assert frame["kind"].tolist()[: len(diagnosis.defects)] == [d.kind for d in diagnosis.defects]
