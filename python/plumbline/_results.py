@@ -109,7 +109,7 @@ def _of_cells(vertices: Any, edges: Any, faces: Any = None) -> _core.Answer:
 
 def _points(vertices: Any) -> list[list[float]]:
     try:
-        rows = vertices.tolist() if isinstance(vertices, np.ndarray) else [list(p) for p in vertices]
+        rows = vertices.tolist() if isinstance(vertices, np.ndarray) else vertices
         points = [[_double(c) for c in row] for row in rows]
     except TypeError:
         raise Error(f"V is a sequence of points (x, y): {vertices!r:.60}") from None

@@ -7,6 +7,7 @@ import html
 import json
 import pickle
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -179,7 +180,10 @@ def test_geometries_that_are_not_finite_are_named() -> None:
         plumbline.check([POLYGONS[0], line], ROOMS)
 
 
-@pytest.mark.parametrize("tolerance", [-1, "-1e-9", float("nan"), float("inf"), "wide", "1/0", "1e999999999", True])
+@pytest.mark.parametrize(
+    "tolerance",
+    [-1, "-1e-9", float("nan"), float("inf"), "wide", "1/0", "1e999999999", 10**400, True],
+)
 def test_bad_tolerances_are_refused(tolerance: Any) -> None:
     with pytest.raises(plumbline.Error, match="tolerance"):
         plumbline.check((V, EV), ROOMS, tolerance=tolerance)
@@ -486,6 +490,13 @@ def test_threads_do_not_change_the_result(examples: Path) -> None:
     assert one.to_json() == many.to_json()
     with pytest.raises(plumbline.Error, match="threads"):
         plumbline.cross_check(drawing, threads=0)
+
+
+def test_several_threads_may_check_at_once() -> None:
+    drawing = plumbline.arrange(ROOMS)
+    with ThreadPoolExecutor(4) as pool:
+        checks = pool.map(lambda _: plumbline.cross_check(drawing).to_json(), range(12))
+    assert len(set(checks)) == 1
 
 
 def test_there_are_no_warnings_where_all_is_read() -> None:
