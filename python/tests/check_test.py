@@ -449,11 +449,17 @@ def test_presets_of_the_radius_are_known() -> None:
     assert plumbline.cross_check(ROOMS, radius="1/8").answer.radius == 0.125
 
 
-def test_svg2lines_is_told_of_the_file(examples: Path) -> None:
-    drawing = plumbline.read(examples / "dwelling.svg")
-    plain = plumbline.cross_check(drawing, "inters")
-    told = plumbline.cross_check(drawing, "inters", svg2lines=True)
-    assert len(told.findings) >= len(plain.findings)
+def test_svg2lines_is_told_of_the_file(tmp_path: Path) -> None:
+    svg = tmp_path / "lines.svg"
+    triangle = (
+        '<line x1="0" y1="0" x2="8" y2="0"/><line x1="8" y1="0" x2="4" y2="8"/>'
+        '<line x1="4" y1="8" x2="0" y2="0"/>'
+    )
+    head = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">'
+    svg.write_text(f"{head}{triangle}</svg>")
+    assert plumbline.cross_check(svg, "inters").agree
+    told = plumbline.cross_check(svg, "inters", svg2lines=True)
+    assert "one-element-per-line" in {cause.rule for cause in told.causes}
 
 
 def test_without_advice_no_radius_is_tried() -> None:
