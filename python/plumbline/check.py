@@ -459,7 +459,7 @@ def _drawn(exact: Arrangement) -> Arrangement:
 
 def _structure(of: Lines) -> _core.Structure | None:
     """The hierarchy of a drawing, which tells parsing from transforming."""
-    return of.structure if isinstance(of, Drawing) else None
+    return of.structure._core if isinstance(of, Drawing) else None
 
 
 def _answer_of_function(engine: Engine, of: Lines) -> Answer:

@@ -335,15 +335,19 @@ def test_texts_pictures_and_pages_are_of_this_check(wrong: plumbline.Check) -> N
     assert wrong.to_html().lower().startswith("<!doctype html")
 
 
-def test_checks_are_written_in_all_their_forms(wrong: plumbline.Check) -> None:
-    assert wrong._written("json") == wrong.to_json()
-    assert wrong._written("html") == wrong.to_html()
-    assert len(json.loads(wrong._written("geojson"))["features"]) == 2
-    assert wrong._written("csv").count("\n") == 3
+def test_checks_are_written_in_all_their_forms(wrong: plumbline.Check, tmp_path: Path) -> None:
+    def written(ending: str) -> str:
+        plumbline.write(wrong, tmp_path / f"check.{ending}")
+        return (tmp_path / f"check.{ending}").read_text()
+
+    assert written("json") == wrong.to_json()
+    assert written("html") == wrong.to_html()
+    assert len(json.loads(written("geojson"))["features"]) == 2
+    assert written("csv").count("\n") == 3
     with pytest.raises(plumbline.Error, match="a check is written as"):
-        wrong._written("obj")
+        written("obj")
     with pytest.raises(plumbline.Error, match="without options: cells"):
-        wrong._written("json", cells="faces")
+        plumbline.write(wrong, tmp_path / "check.json", cells="faces")
 
 
 def test_notebooks_show_the_page_in_a_sandbox(wrong: plumbline.Check) -> None:
