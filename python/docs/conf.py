@@ -32,5 +32,6 @@ autodoc_typehints = "none"
 autoclass_content = "class"
 numpydoc_show_class_members = False
 numpydoc_class_members_toctree = False
-# No inventories of other projects are loaded, so that pages are made offline: only names of this one must be there.
+# No inventories of other projects are loaded, so that pages are made offline: only names of this
+# one must be there.
 nitpick_ignore_regex = [("py:.*", r"(?!plumbline\b).*")]

@@ -5,7 +5,7 @@ plane into, exactly. ``plumbline.arrange(anything)`` is where to begin.
 """
 
 from plumbline import lar
-from plumbline._core import __version__
+from plumbline._core import VERSION as __version__
 from plumbline.arrangement import Arrangement, arrange, same, signature, validate
 from plumbline.certificate import Verdict, certificate, verify
 from plumbline.check import (

@@ -148,7 +148,5 @@ def _of_segments(rows: Sequence[Any] | NDArray[Any]) -> _core.Answer:
         raise Error(f"segments of a result are an array (n, 4) or (n, 2, 2): {array.shape}")
     if not np.isfinite(array).all():
         raise Error("segments of the result have coordinates that are not finite")
-    text = json.dumps(
-        {"type": "MultiLineString", "coordinates": array.reshape(-1, 2, 2).tolist()}
-    )
+    text = json.dumps({"type": "MultiLineString", "coordinates": array.reshape(-1, 2, 2).tolist()})
     return _core.read_result_text("geojson", text, "<segments>")

@@ -17,9 +17,7 @@ def to_geodataframe(table: _core.Table, crs: str) -> GeoDataFrame:
     try:
         import geopandas
     except ImportError as error:
-        raise ImportError(
-            'this needs geopandas: pip install "plumbline-geometry[geo]"'
-        ) from error
+        raise ImportError('this needs geopandas: pip install "plumbline-geometry[geo]"') from error
     columns = {name: table.values(i) for i, name in enumerate(table.columns)}
     return geopandas.GeoDataFrame(columns, geometry=_geometries(table), crs=crs or None)
 

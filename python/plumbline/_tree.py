@@ -10,7 +10,7 @@ from plumbline import _core
 
 
 def plural(n: int, noun: str) -> str:
-    """"1 model", "2 models"."""
+    """ "1 model", "2 models"."""
     return f"{n} {noun}" if n == 1 else f"{n} {noun}s"
 
 

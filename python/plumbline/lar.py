@@ -33,7 +33,7 @@ from plumbline.lines import Lines, LinesLike, lines
 from plumbline.lists import Lists
 from plumbline.maps import Map, r, s, t
 from plumbline.models import CellsLike, LarModel, ModelLike, as_model, starts_and_indices
-from plumbline.structure import Struct, Structure, StructLike, as_structure, box
+from plumbline.structure import Struct, StructLike, Structure, as_structure, box
 
 if TYPE_CHECKING:
     import scipy.sparse

@@ -350,9 +350,7 @@ def _of_geometries(
     return result
 
 
-def _of_sequence(
-    values: Any, numbers: Numbers | None, ids: list[str], layers: list[str]
-) -> Lines:
+def _of_sequence(values: Any, numbers: Numbers | None, ids: list[str], layers: list[str]) -> Lines:
     try:
         rows = [_four(row) for row in values]
     except TypeError:

@@ -294,4 +294,3 @@ def r(*angles: Number, degrees: Number | None = None, numbers: Numbers = "decima
     else:
         raise Error(f"a rotation has one angle or three: {angles!r}")
     return Map._of(affine, f"r({', '.join(texts)})", bound)
-

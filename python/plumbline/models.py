@@ -60,9 +60,7 @@ class LarModel:
     [[0, 1, 2, 3]]
     """
 
-    def __init__(
-        self, V: VerticesLike, *cells: CellsLike, numbers: Numbers = "decimals"
-    ) -> None:
+    def __init__(self, V: VerticesLike, *cells: CellsLike, numbers: Numbers = "decimals") -> None:
         self._core = _core_model(V, [starts_and_indices(array) for array in cells], numbers)
 
     @classmethod

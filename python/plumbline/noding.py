@@ -13,7 +13,7 @@ from plumbline import _core
 from plumbline._geometries import as_geometries
 from plumbline._numbers import Numbers
 from plumbline._optional import needed
-from plumbline.arrangement import Arrangement, arrange
+from plumbline.arrangement import arrange
 from plumbline.errors import Error
 from plumbline.exports import rows_of
 from plumbline.lines import LinesLike
@@ -376,7 +376,6 @@ class _Net:
         dangle = np.zeros(r.counts.edges, dtype=bool)
         dangle[r.antennas[dangles]] = True
         return antenna, dangle
-
 
     def refuse_meetings(self, item: NDArray[np.intp]) -> None:
         """Takes `item` for that of each curve. Raises Error where curves meet elsewhere than in

@@ -480,9 +480,7 @@ def _signature(of: Lines) -> str:
     return _core.rounded_signature(of._core)
 
 
-def undo(
-    output: LinesLike, log: Repair | str | os.PathLike[str] | Mapping[str, Any], /
-) -> Undone:
+def undo(output: LinesLike, log: Repair | str | os.PathLike[str] | Mapping[str, Any], /) -> Undone:
     """The drawing that was repaired, of the repaired one.
 
     Parameters

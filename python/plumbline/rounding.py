@@ -33,9 +33,7 @@ class RoundedArrangement(Arrangement):
     plumbline.snap_round
     """
 
-    def __init__(
-        self, rounding: _core.Rounding, exact: Arrangement, decimals: int | None
-    ) -> None:
+    def __init__(self, rounding: _core.Rounding, exact: Arrangement, decimals: int | None) -> None:
         super().__init__(rounding.complex, exact.lines, exact.labels)
         self._rounding = rounding
         self._exact = exact

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, Union
@@ -437,8 +437,7 @@ def _item(item: Any, numbers: Numbers) -> BodyItem:
     if isinstance(item, (tuple, list)):
         return as_model(item, numbers)
     raise Error(
-        "a body holds models (V, CV), maps, Structs and Lines: "
-        f"{type(item).__name__} {item!r:.60}"
+        f"a body holds models (V, CV), maps, Structs and Lines: {type(item).__name__} {item!r:.60}"
     )
 
 

@@ -186,9 +186,7 @@ def _certificate(a: Arrangement, decimals: int | None) -> str:
     return _core.certificate_text(a._core, a.lines._core)
 
 
-def _lines_text(
-    lines: Lines, format: str, decimals: int | None = None, cells: Cells = None
-) -> str:
+def _lines_text(lines: Lines, format: str, decimals: int | None = None, cells: Cells = None) -> str:
     if decimals is not None or cells is not None:
         raise Error("lines have no cells, and are not rounded: arrange them")
     if format == "lines":
@@ -244,9 +242,7 @@ def _frames(x: Any, decimals: int | None = None, cells: Cells = None) -> dict[st
     if isinstance(x, Lines):
         frames = needed("geopandas")
         columns = {"item": x.item.astype("int64")}
-        return {
-            "lines": frames.GeoDataFrame(columns, geometry=x.to_shapely(), crs=x.crs or None)
-        }
+        return {"lines": frames.GeoDataFrame(columns, geometry=x.to_shapely(), crs=x.crs or None)}
     if hasattr(x, "to_geopandas"):
         return {type(x).__name__.lower(): x.to_geopandas()}
     raise Error(f"this is no table: {type(x).__name__}")

@@ -74,7 +74,7 @@ bool type_caster<plumbline::PointD>::from_python(handle source, std::uint8_t fla
 NB_MODULE(_core, m) {
   using namespace plumbline::python;
   m.doc() = "Bindings of the C++ library; the package `plumbline` is made of them.";
-  m.attr("__version__") = PLUMBLINE_VERSION;
+  m.attr("VERSION") = PLUMBLINE_VERSION;
   bind_error(m);
   bind_geometry(m);
   bind_affine(m);

@@ -48,7 +48,7 @@ def test_repetitions_are_counted_also_where_they_are_not_listed() -> None:
 
 def test_what_leaves_a_face_open_comes_first() -> None:
     drawing = [*OPEN_CONTOUR, (2, 2, 3, 3), (2, 2, 3, 3)]
-    assert [d.kind for d in plumbline.diagnose(drawing).by_effect][0] == "gap"
+    assert next(d.kind for d in plumbline.diagnose(drawing).by_effect) == "gap"
 
 
 def test_doors_are_openings_and_no_defects() -> None:

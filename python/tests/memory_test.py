@@ -51,9 +51,8 @@ def test_memory_does_not_grow() -> None:
 
     def all_of_it() -> None:
         a = plumbline.arrange(rows)
-        a.rounded(1).changes
         a.to_shapely()
-        a.points[2], a.areas, a.sources, a.to_arrow(), a.to_wkt()
+        _ = a.rounded(1).changes, a.points[2], a.areas, a.sources, a.to_arrow(), a.to_wkt()
         with pytest.raises(plumbline.Error):
             plumbline.lines([(0, 0, "x", 1)])
 

@@ -1,9 +1,11 @@
-"""An arrangement's numbers by comparing all pairs in fractions: slow, and independent of the library."""
+"""An arrangement's numbers by comparing all pairs in fractions: slow, and independent of the
+library."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from itertools import pairwise
 
 Point = tuple[Fraction, Fraction]
 Segment = tuple[Point, Point]
@@ -17,10 +19,15 @@ def counts(segments: Iterable[Segment]) -> tuple[int, int, int]:
     for s, box in zip(lines, boxes):
         cuts = set(s)
         for t, other in zip(lines, boxes):
-            if box[0] <= other[2] and other[0] <= box[2] and box[1] <= other[3] and other[1] <= box[3]:
+            if (
+                box[0] <= other[2]
+                and other[0] <= box[2]
+                and box[1] <= other[3]
+                and other[1] <= box[3]
+            ):
                 cuts.update(_common_points(s, t))
         chain = sorted(cuts)
-        edges.update(zip(chain, chain[1:]))
+        edges.update(pairwise(chain))
     vertices = {p for edge in edges for p in edge}
     return len(vertices), len(edges), len(edges) - len(vertices) + _components(vertices, edges)
 

@@ -100,9 +100,7 @@ def test_struct2lar_published_has_the_recorded_vertices_and_cells(
             if "V" not in expected:
                 continue
             once = version == "nov2015"
-            model = plumbline.lar.struct2lar(
-                built(case["input"]), "published", merge_cells=once
-            )
+            model = plumbline.lar.struct2lar(built(case["input"]), "published", merge_cells=once)
             np.testing.assert_allclose(model.V, expected["V"], atol=1e-12)
             found = [a.tolist() for a in model.cells]
             assert list(map(as_sets, found)) == list(map(as_sets, arrays_of(expected))), name
@@ -226,7 +224,7 @@ def test_models_of_any_dimension_unpack_as_tuples_do() -> None:
     assert CV.tolist() == [[0, 1, 2], [3, 4]]
     with pytest.raises(ValueError):
         V[0] = 1
-    with pytest.raises(plumbline.Error, match="different dimension|dimension"):
+    with pytest.raises(plumbline.Error, match="dimension"):
         plumbline.evaluate(Struct([EDGE, ([(0, 0, 0)], [[0]])]))
 
 
