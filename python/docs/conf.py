@@ -12,7 +12,7 @@ extensions = [
     "sphinx.ext.autosummary",
     "numpydoc",
 ]
-exclude_patterns = ["_build"]
+templates_path = ["_templates"]
 html_theme = "pydata_sphinx_theme"
 html_title = "Plumbline"
 html_theme_options = {"show_toc_level": 2, "navigation_with_keys": False}

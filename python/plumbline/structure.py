@@ -98,7 +98,7 @@ class Struct:
 
     @property
     def body(self) -> tuple[BodyItem, ...]:
-        """Its items. What a drawing has are `Element`s: segments with their source."""
+        """Its items. Of a drawing, elements: segments with their source."""
         if self._items is None:
             assert self._owner is not None
             self._items = tuple(self._owner._items(self._number))
