@@ -194,8 +194,9 @@ class Arrangement:
 
     @cached_property
     def FV(self) -> Lists:
-        """Per bounded face (the first is face 1) its vertices, ascending: LAR's FV."""
-        return Lists(*self._core.face_vertices())
+        """Per bounded face (the first is face 1) the vertices of its outer boundary as walked
+        counter-clockwise, then those of its holes; edges that end within it left out: LAR's FV."""
+        return Lists(*_core.face_walks(self._core))
 
     @cached_property
     def FE(self) -> Lists:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, NoReturn, Protocol, Union
 
@@ -23,9 +22,10 @@ from plumbline._progress import Progress, told
 from plumbline._results import answer_of_result
 from plumbline._sizes import nearest_size
 from plumbline._tables import to_geodataframe
+from plumbline._warnings import warn_of_loss
 from plumbline.arrangement import Arrangement
 from plumbline.drawing import Drawing
-from plumbline.errors import Error, LossWarning
+from plumbline.errors import Error
 from plumbline.ladder import Ladder
 from plumbline.lines import Lines, LinesLike
 
@@ -249,8 +249,8 @@ def check(
           successive points;
         - a tuple ``(V, EV)`` or ``(V, EV, FV)`` of points, pairs of vertices and lists of vertices
           (None for an EV that is not there): each in the order of its face, or any where EV says
-          how they are joined; ends within a face, as `Arrangement.FV` has them, left out; a dict of
-          these names, with `polygons` (per face its rings) or `index_base` if needed. Indices
+          how they are joined; ends of edges within a face left out, as in `Arrangement.FV`; a dict
+          of these names, with `polygons` (per face its rings) or `index_base` if needed. Indices
           count from 0, or from 1 where that alone fits;
         - segments (n, 4): edges alone;
         - an `Arrangement`;
@@ -482,11 +482,9 @@ def _warn_of_losses(answer: Answer) -> None:
     lost = [item for item in answer.rejected if not item.harmless]
     if lost:
         count = "one item" if len(lost) == 1 else f"{len(lost)} items"
-        warnings.warn(
+        warn_of_loss(
             f"{count} of the result cannot be read; the first, {lost[0].source.element} in line "
-            f"{lost[0].source.line}: {lost[0].reason}",
-            LossWarning,
-            stacklevel=3,
+            f"{lost[0].source.line}: {lost[0].reason}"
         )
 
 

@@ -385,7 +385,7 @@ def larFromLines(
         raise Error(f'variants are "exact", "repaired" and "published": {variant!r}')
     _ensure_exact(radius, decimals)
     a = exact_arrangement(lines_like, numbers=numbers)
-    return a.V, Lists(*_core.face_walks(a._core)), a.EV
+    return a.V, a.FV, a.EV
 
 
 def larSimplify(

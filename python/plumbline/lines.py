@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -16,7 +15,8 @@ from numpy.typing import NDArray
 from plumbline import _core
 from plumbline._geometries import as_geometries, segments_of
 from plumbline._numbers import Numbers, exact_text
-from plumbline.errors import Error, LossWarning
+from plumbline._warnings import warn_of_loss
+from plumbline.errors import Error
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -398,8 +398,4 @@ def _warn_of_losses(result: Lines) -> None:
         return
     place = result._core.place_text(lost[0].source)
     count = "one item takes" if len(lost) == 1 else f"{len(lost)} items take"
-    warnings.warn(
-        f"{count} no part, see `rejected`; the first: {place}: {lost[0].reason}",
-        LossWarning,
-        stacklevel=3,
-    )
+    warn_of_loss(f"{count} no part, see `rejected`; the first: {place}: {lost[0].reason}")

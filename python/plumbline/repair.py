@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-import warnings
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -16,8 +15,9 @@ from plumbline._notebook import drawn, framed
 from plumbline._numbers import Number, Numbers
 from plumbline._sizes import names, size_text
 from plumbline._tables import to_geodataframe
+from plumbline._warnings import warn_of_loss
 from plumbline.arrangement import Arrangement, arrange
-from plumbline.errors import Error, LossWarning
+from plumbline.errors import Error
 from plumbline.lines import Lines, LinesLike, lines
 from plumbline.lists import Lists
 
@@ -284,11 +284,7 @@ def _drawing_text(format: str, source: Lines, output: Lines) -> str:
         patched = _core.patched_file(*_file_first(read_from, format), source._core, output._core)
         if not patched.why_not:
             return patched.text
-        warnings.warn(
-            f"lines alone are written, of all elements: {patched.why_not}",
-            LossWarning,
-            stacklevel=4,
-        )
+        warn_of_loss(f"lines alone are written, of all elements: {patched.why_not}")
     if format == "lines":
         return _core.exact_lines(output._core)
     if format == "svg":

@@ -219,8 +219,6 @@ void bind_complex(nb::module_& m) {
       .def("boundary_1",
            [](const ExactComplex& c) { return csc(boundary_1(c, c.vertices.size())); })
       .def("boundary_2", [](const ExactComplex& c) { return csc(boundary_2(c)); })
-      .def("face_vertices",
-           [](const ExactComplex& c) { return rows_of(characteristic_fv(c, c.vertices.size())); })
       .def("face_edges", [](const ExactComplex& c) { return rows_of(characteristic_fe(c)); });
   define_equality(type);
 }

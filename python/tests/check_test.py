@@ -513,3 +513,12 @@ def test_there_are_no_warnings_where_all_is_read() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         plumbline.check((V, EV, FV), ROOMS)
+
+
+def test_an_arrangement_in_lar_s_words_agrees_with_itself() -> None:
+    frame = [(0, 0, 9, 0), (9, 0, 9, 9), (9, 9, 0, 9), (0, 9, 0, 0)]
+    hole = [(2, 2, 4, 2), (4, 2, 4, 4), (4, 4, 2, 4), (2, 4, 2, 2)]
+    drawing = [*frame, *hole, (0, 5, 1, 6), (6, 6, 7, 7)]
+    a = plumbline.arrange(drawing)
+    assert a.FV.lengths.tolist() == [9, 4]
+    assert plumbline.check((a.V, a.EV, a.FV), drawing)

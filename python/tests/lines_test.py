@@ -92,3 +92,9 @@ def test_arrays_are_read_only() -> None:
     for array in (lines.coords, lines.item):
         with pytest.raises(ValueError):
             array[0] = 0
+
+
+def test_warnings_point_to_the_line_that_called() -> None:
+    with pytest.warns(plumbline.LossWarning) as caught:
+        plumbline.arrange(np.array([[0, 0, 1, 1], [0, 0, np.nan, 1]]))
+    assert caught[0].filename == __file__
