@@ -286,3 +286,16 @@ TEST_CASE("a tolerance is said so that it is read again as the same") {
     CHECK(number(tolerance_text(number(text))) == number(text));
   }
 }
+
+TEST_CASE("a repair ends where it is told not to go on") {
+  RepairOptions options;
+  int asked = 0;
+  options.goes_on = [&] { return ++asked < 3; };
+  try {
+    repair(segments("0 0 4 0  4 0 4 3  4 3 0 3  0 3 0 0  2 0 2 2.99"), options);
+    FAIL("it went on");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::Cancelled);
+  }
+  CHECK(asked == 3);
+}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct RepairOptions {
   std::vector<std::string> walls;    ///< layers whose lines have doors and block them; none: all
   std::vector<std::string> anchors;  ///< layers that no edit touches and to which others go
   std::vector<std::string> except;   ///< ids of elements that no edit touches
+  /// Asked before each step, in the calling thread; the work ends with Error Cancelled where it
+  /// returns false.
+  std::function<bool()> goes_on = {};
 };
 
 /// Repairs line work: lines that overlap become one, doubled ones are welded, loose ends run on to

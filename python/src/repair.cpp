@@ -99,8 +99,16 @@ void bind_repair(nb::module_& m) {
   bind_options(m);
   bind_log(m);
   bind_files(m);
-  m.def("repair", &repair, nb::arg("input"), nb::arg("options"),
-        nb::call_guard<nb::gil_scoped_release>());
+  m.def(
+      "repair",
+      [](const SegmentSet& input, RepairOptions options) {
+        Progress signals{nb::none()};
+        return signals.run([&](const std::function<bool(double)>& told) {
+          options.goes_on = [&] { return told(0); };
+          return repair(input, options);
+        });
+      },
+      nb::arg("input"), nb::arg("options"));
   nb::class_<RuleOutcome>(m, "RuleOutcome", "What a rule makes of a drawing.")
       .def_ro("rule", &RuleOutcome::rule)
       .def_ro("vertices", &RuleOutcome::vertices)

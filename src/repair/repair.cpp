@@ -32,7 +32,9 @@ class Repairing {
     if (sgn(result_.tolerances.grow) > 0) refuse_open_ends(work_, now_, result_.tolerances.grow);
     work_.write(result_);
     arrange_merged();
+    ensure_going_on();
     result_.faces = face_outcomes(before_, result_, now_.complex);
+    ensure_going_on();
     return verify(work_.input(), before_, result_, now_.complex);
   }
 
@@ -123,8 +125,14 @@ class Repairing {
     }
   }
 
+  void ensure_going_on() const {
+    if (!options_.goes_on || options_.goes_on()) return;
+    throw Error(ErrorCode::Cancelled, "the repair was cancelled");
+  }
+
   /// Arranges the lines if they have changed.
   void look_anew() {
+    ensure_going_on();
     if (looked_at_ == work_.edits().size()) return;
     looked_at_ = work_.edits().size();
     now_ = arranged(work_);
