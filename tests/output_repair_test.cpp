@@ -9,6 +9,7 @@
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
+#include "plumbline/repair.hpp"
 
 using namespace plumbline;
 
@@ -311,4 +312,22 @@ TEST_CASE("a repaired drawing as .lines is exact") {
   set.segments = {{{Rational(1, 3), 0}, {parse_decimal("0.1"), Rational(22, 7)}}};
   set.segment_source.resize(1);
   CHECK(evaluate(read_lines(to_lines(set), "a.lines")).segments == set.segments);
+}
+
+TEST_CASE("the log of a repair has long names as they are") {
+  const std::string name = "a name that is longer than a text in place";
+  SegmentSet input;
+  for (const Segment& s : {Segment{{0, 0}, {2, 0}}, Segment{{1, 0}, {3, 0}}}) {
+    Source source;
+    source.element = name + " of an element";
+    source.id = name + " of an id";
+    source.path = name + " of a path";
+    source.layer = name;
+    input.add(s, input.add_source(source));
+  }
+  const std::string log = to_json(repair(input), input);
+  std::size_t count = 0;
+  for (std::size_t i = log.find(name); i != log.npos; i = log.find(name, i + 1)) ++count;
+  CHECK(count == 16);  // four of each of two segments, in the edit and in the change
+  CHECK(holds(log, "\"layer\": \"" + name + '"'));
 }

@@ -277,7 +277,7 @@ def _ensure_none(options: Mapping[str, Any]) -> None:
         raise Error(f"a drawing is written without these options: {', '.join(options)}")
 
 
-def _drawing_text(format: str, source: Lines, output: Lines) -> str:
+def _drawing_text(format: str, source: Lines, output: Lines) -> str | bytes:
     """A drawing made of another one: in the file that this was read from, as far as that goes."""
     read_from = getattr(source, "_read_from", None)
     if format in ("dxf", "svg") and read_from is not None:
@@ -313,7 +313,7 @@ def _write(
         raise Error(f"this would overwrite the drawing that was read: {file!r}")
     chosen = format or os.path.splitext(file)[1].lstrip(".").lower()
     text = what._written(chosen, **options)
-    _core.write_text(file, text if isinstance(text, str) else text.decode())
+    _core.write_file(file, text.encode() if isinstance(text, str) else text)
 
 
 def repair(

@@ -88,6 +88,11 @@ void bind_groups(nb::module_& m) {
               "Of the exact faces; of closed and added ones the answer's.")
       .def_ro("area", &ChangedFaces::area, "In dispute, 0 where that is not known.");
   nb::class_<FindingGroup>(m, "FindingGroup", "Findings that are one event in one place.")
+      .def("__repr__",
+           [](const FindingGroup& g) {
+             return "<FindingGroup: " + std::to_string(g.findings.size()) + " findings, " +
+                    std::to_string(g.faces.size()) + " changed faces>";
+           })
       .def_ro("findings", &FindingGroup::findings, "Their numbers, from 1, ascending.")
       .def_ro("lead", &FindingGroup::lead, "The number of the one to look at first.")
       .def_ro("low", &FindingGroup::low, "Lower left corner of the box around the cells.")

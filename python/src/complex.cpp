@@ -175,6 +175,11 @@ void bind_complex(nb::module_& m) {
       .def_ro("components", &Counts::components)
       .def_ro("antennas", &Counts::antennas, "Edges with the same face on both sides.")
       .def_ro("depth", &Counts::depth, "The greatest nesting depth.");
+  counts_type.def("__repr__", [](const Counts& c) {
+    return "<Counts: " + std::to_string(c.vertices) + " vertices, " + std::to_string(c.edges) +
+           " edges, " + std::to_string(c.faces) + " faces, " + std::to_string(c.components) +
+           " components, depth " + std::to_string(c.depth) + ">";
+  });
   define_equality(counts_type);
   nb::class_<Violation>(m, "Violation", "An invariant of a complex that is broken.")
       .def_prop_ro("invariant", [](const Violation& v) { return to_text(v.invariant); })
@@ -189,7 +194,12 @@ void bind_complex(nb::module_& m) {
       .def_ro("w", &FeatureSize::w)
       .def_ro("squared_vertex_edge", &FeatureSize::squared_vertex_edge)
       .def_ro("vertex", &FeatureSize::vertex)
-      .def_ro("edge", &FeatureSize::edge);
+      .def_ro("edge", &FeatureSize::edge)
+      .def("__repr__", [](const FeatureSize& f) {
+        return "<FeatureSize: vertices " + shortest_text(nearest_sqrt(f.squared_vertex_vertex)) +
+               " apart, vertex and edge " + shortest_text(nearest_sqrt(f.squared_vertex_edge)) +
+               ">";
+      });
 
   nb::class_<ExactComplex> type(m, "Complex", "A cellular complex with exact coordinates.");
   bind_arrays(type);

@@ -11,9 +11,13 @@ nb::object int_of(const mpz_class& value) {
   return nb::steal(PyLong_FromString(value.get_str(16).c_str(), nullptr, 16));
 }
 
+namespace {
+/// fractions.Fraction: kept for as long as the program runs, since what is static would outlive
+/// Python. Set while the module is loaded, so that no thread waits for an import.
+nb::object* fraction = nullptr;
+}  // namespace
+
 nb::object fraction_of(const Rational& value) {
-  // Kept for as long as the program runs: a static that is destroyed would outlive Python.
-  static const auto* fraction = new nb::object(nb::module_::import_("fractions").attr("Fraction"));
   if (value.get_den() == 1) return (*fraction)(int_of(value.get_num()));
   return (*fraction)(int_of(value.get_num()), int_of(value.get_den()));
 }
@@ -39,8 +43,14 @@ namespace nanobind::detail {
 bool type_caster<plumbline::Rational>::from_python(handle source, std::uint8_t,
                                                    cleanup_list*) noexcept {
   try {
-    if (!isinstance<nanobind::str>(source)) return false;
-    value = plumbline::parse_decimal(borrow<nanobind::str>(source).c_str());
+    Py_ssize_t size = 0;
+    const char* text =
+        PyUnicode_Check(source.ptr()) ? PyUnicode_AsUTF8AndSize(source.ptr(), &size) : nullptr;
+    if (text == nullptr) {
+      PyErr_Clear();
+      return false;
+    }
+    value = plumbline::parse_decimal({text, static_cast<std::size_t>(size)});
     return true;
   } catch (const std::exception&) {
     return false;
@@ -74,6 +84,7 @@ bool type_caster<plumbline::PointD>::from_python(handle source, std::uint8_t fla
 NB_MODULE(_core, m) {
   using namespace plumbline::python;
   m.doc() = "Bindings of the C++ library; the package `plumbline` is made of them.";
+  fraction = new nb::object(nb::module_::import_("fractions").attr("Fraction"));
   m.attr("VERSION") = PLUMBLINE_VERSION;
   bind_error(m);
   bind_geometry(m);

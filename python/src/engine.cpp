@@ -117,6 +117,7 @@ const char* type_text(const Parameter& parameter) {
 
 void bind_answer(nb::module_& m) {
   nb::class_<Answer>(m, "Answer", "What an engine, or someone else's program, makes of lines.")
+      .def("__repr__", [](const Answer& a) { return "<Answer of " + line_text(a.title) + ">"; })
       .def_ro("engine", &Answer::engine, "Its name; \"files\" for results that were given.")
       .def_ro("version", &Answer::version)
       .def_ro("title", &Answer::title, "In pictures and pages.")

@@ -127,9 +127,15 @@ std::tuple<Rational, Rational, Rational, Rational> exact_segment(const SegmentSe
   return {s.a.x, s.a.y, s.b.x, s.b.y};
 }
 
+/// An element without the name of its file.
+std::string line_of(const Source& source) { return line_text(to_text(source, {})); }
+
 template <class T>
 void bind_item(nb::class_<T> type, const char* what, std::string T::*member, const char* doc) {
   type.def_ro("source", &T::source, "The element that it is about.").def_ro(what, member, doc);
+  type.def("__repr__", [member](const T& item) {
+    return "<" + line_of(item.source) + ": " + line_text(item.*member) + ">";
+  });
   define_equality(type);
 }
 
@@ -143,6 +149,7 @@ void bind_items(nb::module_& m) {
       .def_ro("id", &Source::id, "Its id, or \"\".")
       .def_ro("path", &Source::path, "Names of the groups or layers above it.")
       .def_ro("layer", &Source::layer, "Its layer, or \"\".");
+  source.def("__repr__", [](const Source& s) { return "<Source: " + line_of(s) + ">"; });
   define_equality(source);
   nb::class_<Rejected> rejected(m, "Rejected",
                                 "An item of the input that takes no part in the result.");
@@ -160,15 +167,22 @@ void bind_items(nb::module_& m) {
       .def_ro("source", &Label::source, "Index into the sources.")
       .def_ro("text", &Label::text, "What it says.")
       .def_ro("place", &Label::place, "Where; None: a name of its element.")
-      .def_ro("height", &Label::height, "Of its letters; 0: not known.");
+      .def_ro("height", &Label::height, "Of its letters; 0: not known.")
+      .def("__repr__", [](const Label& l) { return "<Label: " + line_text(l.text) + ">"; });
   nb::class_<Layer>(m, "Layer", "A layer that the drawing declares.")
       .def_ro("name", &Layer::name, "Its name.")
       .def_ro("rgb", &Layer::rgb, "Its colour, 0xRRGGBB; None: not known.")
-      .def_ro("hidden", &Layer::hidden, "Whether it is off, frozen or not printed.");
+      .def_ro("hidden", &Layer::hidden, "Whether it is off, frozen or not printed.")
+      .def("__repr__", [](const Layer& l) {
+        return "<Layer: " + line_text(l.name) + (l.hidden ? ", hidden>" : ">");
+      });
   nb::class_<LengthUnit>(m, "LengthUnit", "A unit of length.")
       .def(nb::init<std::string, Rational>(), nb::arg("name"), nb::arg("metres"))
       .def_ro("name", &LengthUnit::name, "\"mm\", \"in\", ...")
-      .def_ro("metres", &LengthUnit::metres, "In metres, exactly.");
+      .def_ro("metres", &LengthUnit::metres, "In metres, exactly.")
+      .def("__repr__", [](const LengthUnit& u) {
+        return "<LengthUnit: " + u.name + ", " + exact_text(u.metres) + " m>";
+      });
 }
 
 void bind_making(nb::class_<SegmentSet>& set) {

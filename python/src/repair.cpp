@@ -69,7 +69,9 @@ void bind_log(nb::module_& m) {
 
 void bind_files(nb::module_& m) {
   nb::class_<PatchedFile>(m, "PatchedFile", "The text of a drawing's file with changes.")
-      .def_ro("text", &PatchedFile::text)
+      .def_prop_ro(
+          "text", [](const PatchedFile& p) { return nb::bytes(p.text.data(), p.text.size()); },
+          "In the file's own encoding.")
       .def_ro("replaced", &PatchedFile::replaced, "Elements that gave way to lines.")
       .def_ro("why_not", &PatchedFile::why_not, "\"\" where it is done.");
   m.def("patched_file", &patched_file, nb::arg("file"), nb::arg("format"), nb::arg("options"),
@@ -83,14 +85,6 @@ void bind_files(nb::module_& m) {
   m.def(
       "picture_of_lines", [](const SegmentSet& set) { return to_svg(set); }, nb::arg("lines"),
       nb::call_guard<nb::gil_scoped_release>(), "As SVG.");
-  m.def(
-      "write_text",
-      [](const std::filesystem::path& file, std::string_view content) {
-        write_file(file, content);
-      },
-      nb::arg("file"), nb::arg("content"),
-      nb::sig("def write_text(file: str, content: str) -> None"),
-      nb::call_guard<nb::gil_scoped_release>(), "Writes a file whole or not at all.");
 }
 
 }  // namespace

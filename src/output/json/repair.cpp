@@ -1,6 +1,7 @@
 // The log of a repair as JSON; documented in docs/json.md.
 
 #include <algorithm>
+#include <utility>
 
 #include "output/json/input.hpp"
 #include "output/text/edits.hpp"
@@ -51,7 +52,7 @@ auto change(const SegmentSet& input, const NetChange& c) {
     source.file =
         static_cast<std::uint32_t>(std::ranges::find(input.files, s.file) - input.files.begin());
     return object(member("from", s.segment.a), member("to", s.segment.b),
-                  member("element", object(source_members(source))));
+                  member("element", object(source_members(std::move(source)))));
   };
   return object(member("before", list(c.before, sourced)), member("after", list(c.after, segment)));
 }
