@@ -71,6 +71,25 @@ TEST_CASE("result: LAR faces with their holes agree, as polygons and as sets of 
       findings(read_lar(kEdges + std::string(R"(, "FV": [[0,1,2,3,4,5,6,7],[4,5,7,6]])"))).empty());
 }
 
+TEST_CASE("result: LAR faces as sets of vertices agree where other edges join these, too") {
+  // A quadrilateral with a point inside that is joined to three corners, and an edge around.
+  SegmentSet drawing;
+  const SourceId source = drawing.add_source({});
+  for (const Segment& s :
+       {Segment{{0, 0}, {4, 0}}, Segment{{4, 0}, {4, 4}}, Segment{{4, 4}, {0, 4}},
+        Segment{{0, 4}, {0, 0}}, Segment{{0, 0}, {1, 2}}, Segment{{1, 2}, {4, 4}},
+        Segment{{0, 0}, {4, 4}}}) {
+    drawing.add(s, source);
+  }
+  // By coordinates: 0 (0,0), 1 (0,4), 2 (1,2), 3 (4,0), 4 (4,4). The face 0 2 4 1 has the chord
+  // 0 4.
+  const files::Result result = files::read_lar(
+      R"({"V": [[0,0],[0,4],[1,2],[4,0],[4,4]],)"
+      R"( "EV": [[0,1],[0,2],[0,3],[0,4],[1,4],[2,4],[3,4]], "FV": [[0,1,2,4],[0,2,4],[0,3,4]]})",
+      "f");
+  CHECK(compare(arrange(drawing), result.complex, 0).agree());
+}
+
 TEST_CASE("result: LAR lists without names, and indices from 1, are understood") {
   const std::string v = std::string(kVertices).substr(5), ev = std::string(kEdges).substr(6);
   const std::string fv = "[[0,1,2,3,4,5,6,7],[4,5,6,7]]";

@@ -38,8 +38,9 @@ struct Result {
 ///   they are there. Vertices with the same coordinates are several, EV lists all edges,
 ///   one of a single vertex joins it to itself. A cell of
 ///   FV is a cycle of vertices; or, where EV does not join them in this order, the set of vertices
-///   of the cycles that EV has among them. Indices count from `index_base`; without it from 0, or
-///   from 1 where that alone fits (some index is the number of vertices, none is 0).
+///   of the cycles that EV has among them, or of a face of the graph (V, EV). Indices count from
+///   `index_base`; without it from 0, or from 1 where that alone fits (some index is the number of
+///   vertices, none is 0).
 /// - `.json`: a bare list of segments, as edges.
 /// - `.json`: what `arrange --output` and `lar --trace` of this program write.
 /// Throws: Error BadFile; BadInput for a malformed file, an unknown ending, an index out of range;

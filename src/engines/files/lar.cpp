@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "engines/files/face_walks.hpp"
 #include "engines/files/json_values.hpp"
 #include "engines/files/readers.hpp"
 #include "plumbline/engine/cell_lists.hpp"
@@ -50,7 +51,8 @@ class LarResult {
   void read_faces();
   VertexId vertex(const JsonValue& index) const;
   Cell cell(const JsonValue& list) const;
-  Polygon face_of(Cell vertices) const;
+  Polygon face_of(Cell vertices);
+  bool is_cycle(const Cell& vertices) const;
   std::optional<std::vector<Cell>> cycles_among(const Cell& vertices) const;
   Rational twice_area(const Cell& ring) const;
 
@@ -58,6 +60,7 @@ class LarResult {
   Members members_;
   CellLists cells_;
   std::vector<std::vector<VertexId>> neighbours_;  ///< per vertex, by EV
+  std::optional<FaceWalks> walks_;                 ///< made when a cell needs them
   std::int64_t base_ = 0;
 };
 
@@ -216,18 +219,25 @@ void LarResult::read_faces() {
   }
 }
 
-Polygon LarResult::face_of(Cell vertices) const {
-  const auto is_joined = [&](VertexId v, VertexId w) {
-    return v == w || std::ranges::find(neighbours_[v], w) != neighbours_[v].end();
-  };
-  bool is_cycle = !members_.edges;
-  if (!is_cycle && !vertices.empty()) {
-    is_cycle = is_joined(vertices.back(), vertices.front());
-    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-      is_cycle = is_cycle && is_joined(vertices[i], vertices[i + 1]);
-    }
+/// Whether they are joined in this order.
+bool LarResult::is_cycle(const Cell& vertices) const {
+  if (!members_.edges || vertices.empty()) return !members_.edges;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const VertexId v = vertices[i], w = vertices[(i + 1) % vertices.size()];
+    if (v != w && std::ranges::find(neighbours_[v], w) == neighbours_[v].end()) return false;
   }
-  auto cycles = is_cycle ? std::nullopt : cycles_among(vertices);
+  return true;
+}
+
+Polygon LarResult::face_of(Cell vertices) {
+  const bool is_ordered = is_cycle(vertices);
+  auto cycles = is_ordered ? std::nullopt : cycles_among(vertices);
+  if (!is_ordered && !cycles) {
+    if (!walks_) walks_.emplace(cells_.vertices, neighbours_);
+    Cell ascending = vertices;
+    std::ranges::sort(ascending);
+    if (auto face = walks_->around(ascending)) return std::move(*face);
+  }
   if (!cycles) return {std::move(vertices)};
   const auto widest = std::ranges::max_element(
       *cycles, {}, [&](const Cell& ring) { return nearest_double(abs(twice_area(ring))); });
