@@ -239,7 +239,12 @@ void bind_runs(nb::module_& m) {
   m.def(
       "random_lines",
       [](std::size_t n, double scaling, std::uint64_t seed) {
-        return coords_of(random_lines(n, scaling, seed));
+        std::vector<SegmentD> lines;
+        {
+          const nb::gil_scoped_release release;
+          lines = random_lines(n, scaling, seed);
+        }
+        return coords_of(std::move(lines));
       },
       nb::arg("n"), nb::arg("scaling"), nb::arg("seed"));
 }

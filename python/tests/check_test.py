@@ -522,3 +522,12 @@ def test_an_arrangement_in_lar_s_words_agrees_with_itself() -> None:
     a = plumbline.arrange(drawing)
     assert a.FV.lengths.tolist() == [9, 4]
     assert plumbline.check((a.V, a.EV, a.FV), drawing)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_faces_as_sets_of_vertices_are_understood(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    rows = random.integers(0, 9, size=(10, 4))
+    a = plumbline.arrange(rows)
+    sets = [sorted(set(face.tolist())) for face in a.FV]
+    assert plumbline.check((a.V, a.EV, sets), a)
