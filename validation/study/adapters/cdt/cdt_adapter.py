@@ -1,0 +1,82 @@
+"""CDT: a constrained Delaunay triangulation that resolves crossing constraints.
+
+Edges are its fixed edges; faces are its triangles, joined across edges that are not fixed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib.metadata import version
+
+import numpy as np
+import pythoncdt as cdt
+from study_adapter import (
+    Clock,
+    Configuration,
+    Engine,
+    Floats,
+    Ints,
+    Model,
+    edges_once,
+    endpoints,
+    serve,
+)
+from triangle_faces import faces_of_triangles
+
+
+def resolved_within(distance: float) -> Callable[[Floats, Clock], Model]:
+    """The way to run it: `distance` is CDT's min_dist_to_constraint_edge."""
+
+    def run(segments: Floats, clock: Clock) -> Model:
+        points, pairs = endpoints(segments)
+        pairs = np.array(edges_once(pairs), dtype=np.uintc).reshape(-1, 2)
+        if not len(pairs):
+            return {"V": [], "EV": [], "polygons": []}
+        with clock:
+            t = cdt.Triangulation(
+                cdt.VertexInsertionOrder.AUTO,
+                cdt.IntersectingConstraintEdges.TRY_RESOLVE,
+                distance,
+            )
+            t.insert_vertices(points)
+            t.insert_edges(pairs)
+            t.erase_super_triangle()
+        return _model(t)
+
+    return run
+
+
+def _model(t: cdt.Triangulation) -> Model:
+    records = t.vertices_array()
+    vertices = np.stack([records["x"], records["y"]], axis=1)
+    triangles: Ints = t.triangles_array()["vertices"].astype(np.int64)
+    fixed = edges_once(np.array([(e.v1, e.v2) for e in t.fixed_edges_iter()], dtype=np.int64))
+    return {
+        "V": vertices.tolist(),
+        "EV": fixed,
+        "polygons": faces_of_triangles(vertices, triangles, fixed),
+    }
+
+
+CONFIGURATIONS = [
+    Configuration(
+        "try-resolve",
+        "TRY_RESOLVE",
+        ("none", 0),
+        "README of CDT, 'Intersecting constraint edges': TRY_RESOLVE",
+        resolved_within(0.0),
+    ),
+    Configuration(
+        "try-resolve-1e-9",
+        "TRY_RESOLVE, vertices within 1e-9 on edges",
+        ("snap", 1e-9),
+        "documentation of CDT, minDistToConstraintEdge: 'distance within which vertices are "
+        "considered to be on the edge'",
+        resolved_within(1e-9),
+    ),
+]
+
+if __name__ == "__main__":
+    serve(
+        Engine("cdt", "CDT", version("pythoncdt"), "CDT", "MPL-2.0", CONFIGURATIONS),
+    )

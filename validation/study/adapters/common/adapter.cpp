@@ -1,0 +1,172 @@
+#include "adapter.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <iostream>
+#include <typeinfo>
+
+namespace study {
+namespace {
+
+struct Case {
+  std::string number;  // as it was given
+  std::vector<Segment> segments;
+};
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~' ? ' ' : c;
+  }
+  return out + "\"";
+}
+
+// The shortest decimals that are read as the same double.
+std::string decimals(double x) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
+  return std::string(text.data(), end);
+}
+
+// The text after `"name":`.
+const char* value_of(const std::string& line, const char* name) {
+  const std::size_t at = line.find("\"" + std::string(name) + "\"");
+  if (at == std::string::npos) throw std::runtime_error(std::string("a case without ") + name);
+  return std::strchr(line.c_str() + at, ':') + 1;
+}
+
+// A case has a number and lists of numbers, so nothing but numbers has to be found.
+Case read_case(const std::string& line) {
+  Case result;
+  result.number = std::to_string(std::strtoll(value_of(line, "case"), nullptr, 10));
+  std::vector<double> numbers;
+  int depth = 0;
+  const char* at = value_of(line, "segments");
+  do {
+    if (*at == '[') ++depth;
+    if (*at == ']') --depth;
+    if (std::strchr("[], \t", *at) != nullptr && *at != '\0') {
+      ++at;
+      continue;
+    }
+    char* end = nullptr;
+    numbers.push_back(std::strtod(at, &end) + 0.0);  // -0.0 is 0.0
+    if (end == at) throw std::runtime_error("a case whose segments are no numbers");
+    at = end;
+  } while (depth > 0);
+  for (std::size_t i = 0; i + 3 < numbers.size(); i += 4) {
+    const Segment s{Point{numbers[i], numbers[i + 1]}, Point{numbers[i + 2], numbers[i + 3]}};
+    if (s[0] != s[1]) result.segments.push_back(s);
+  }
+  return result;
+}
+
+// A list of what `item` writes.
+template <class Items, class Item>
+std::string list(const Items& items, Item item) {
+  std::string out = "[";
+  for (const auto& x : items) {
+    if (out.size() > 1) out += ", ";
+    out += item(x);
+  }
+  return out + "]";
+}
+
+std::string written(const Model& model) {
+  const auto number = [](std::int64_t i) { return std::to_string(i); };
+  const auto numbers = [&](const auto& row) { return list(row, number); };
+  std::string out =
+      "{\"V\": " + list(model.vertices, [](const Point& p) { return list(p, decimals); });
+  out += ", \"EV\": " + list(model.edges, numbers);
+  if (model.polygons) {
+    const auto rings = [&](const std::vector<Ring>& polygon) { return list(polygon, numbers); };
+    out += ", \"polygons\": " + list(*model.polygons, rings);
+  }
+  return out + "}";
+}
+
+std::string failed(const std::string& kind, const std::string& message) {
+  return "\"error\": {\"class\": " + quoted(kind) +
+         ", \"message\": " + quoted(message.substr(0, 500)) + "}";
+}
+
+std::string answer(const Configuration& configuration, const std::string& line) {
+  const Case given = read_case(line);
+  Clock clock;
+  std::string said;
+  try {
+    said = "\"model\": " + written(configuration.run(given.segments, clock));
+  } catch (const EngineError& error) {
+    said = failed(error.kind(), error.what());
+  } catch (const std::exception& error) {
+    said = failed(typeid(error).name(), error.what());
+  }
+  return "{\"case\": " + given.number + ", \"seconds\": " + decimals(clock.seconds()) + ", " +
+         said + "}\n";
+}
+
+std::string listed(const Engine& engine) {
+  std::string out =
+      "{\"engine\": " + quoted(engine.engine) + ", \"title\": " + quoted(engine.title) +
+      ", \"version\": " + quoted(engine.version) + ", \"algorithm\": " + quoted(engine.algorithm) +
+      ", \"licence\": " + quoted(engine.licence);
+  out += ", \"configurations\": " + list(engine.configurations, [](const Configuration& c) {
+           return "{\"name\": " + quoted(c.name) + ", \"title\": " + quoted(c.title) +
+                  ", \"tolerance\": {\"kind\": " + quoted(c.tolerance_kind) +
+                  ", \"value\": " + decimals(c.tolerance) + "}, \"source\": " + quoted(c.source) +
+                  "}";
+         });
+  return out + "}";
+}
+
+// Standard output, for answers alone: what an engine prints goes to standard error.
+std::FILE* own_output() {
+  std::FILE* const answers = fdopen(dup(STDOUT_FILENO), "w");
+  if (answers == nullptr || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) std::abort();
+  return answers;
+}
+
+}  // namespace
+
+std::int64_t Numbering::operator()(Point point) {
+  point = {point[0] + 0.0, point[1] + 0.0};
+  const auto [at, is_new] = number_.try_emplace(point, static_cast<std::int64_t>(points_.size()));
+  if (is_new) points_.push_back(point);
+  return at->second;
+}
+
+std::vector<Edge> each_once(std::vector<Edge> edges) {
+  for (Edge& e : edges) std::sort(e.begin(), e.end());
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::erase_if(edges, [](const Edge& e) { return e[0] == e[1]; });
+  return edges;
+}
+
+int serve(const Engine& engine, int argc, char** argv) {
+  const std::string wanted = argc == 2 ? argv[1] : "";
+  if (wanted == "--list") {
+    std::puts(listed(engine).c_str());
+    return 0;
+  }
+  for (const Configuration& configuration : engine.configurations) {
+    if (configuration.name != wanted) continue;
+    std::FILE* const answers = own_output();
+    for (std::string line; std::getline(std::cin, line);) {
+      std::fputs(answer(configuration, line).c_str(), answers);
+      std::fflush(answers);
+    }
+    return 0;
+  }
+  std::fputs("usage: --list, or one of the configurations that it lists\n", stderr);
+  return 2;
+}
+
+}  // namespace study

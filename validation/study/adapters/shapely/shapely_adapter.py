@@ -1,0 +1,87 @@
+"""shapely's functions on line work, with the GEOS of its wheel; faces by polygonize."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import shapely
+from geometries import Geometries, as_lines, model_of
+from study_adapter import Clock, Configuration, Engine, Floats, Model, serve
+
+GRID = 1e-9
+_MANUAL = "shapely manual"
+
+
+def noded_by(node: Callable[[Geometries], shapely.Geometry]) -> Callable[[Floats, Clock], Model]:
+    """The way to run it: noded, then polygonized."""
+
+    def run(segments: Floats, clock: Clock) -> Model:
+        lines = as_lines(segments)
+        with clock:
+            noded = node(lines)
+            polygons = shapely.get_parts(shapely.polygonize([noded]))
+        return model_of(noded, polygons)
+
+    return run
+
+
+def node(lines: Geometries) -> shapely.Geometry:
+    return shapely.node(shapely.multilinestrings(lines))
+
+
+def unary_union(lines: Geometries) -> shapely.Geometry:
+    return shapely.unary_union(shapely.multilinestrings(lines))
+
+
+def union_on_grid(lines: Geometries) -> shapely.Geometry:
+    return shapely.union_all(lines, grid_size=GRID)
+
+
+def set_precision_then_node(lines: Geometries) -> shapely.Geometry:
+    on_grid = shapely.set_precision(shapely.multilinestrings(lines), GRID, mode="valid_output")
+    return shapely.node(on_grid)
+
+
+CONFIGURATIONS = [
+    Configuration(
+        "node",
+        "node",
+        ("none", 0),
+        f"{_MANUAL}, node: 'a fully noded linestring'; polygonize: 'lines must be noded'",
+        noded_by(node),
+    ),
+    Configuration(
+        "unary-union",
+        "unary_union",
+        ("none", 0),
+        f"{_MANUAL}, unary_union of lines: noded and dissolved; what it advises before polygonize",
+        noded_by(unary_union),
+    ),
+    Configuration(
+        "union-grid-1e-9",
+        "union_all, grid 1e-9",
+        ("grid", GRID),
+        f"{_MANUAL}, union_all(grid_size): 'robust' overlay on a grid",
+        noded_by(union_on_grid),
+    ),
+    Configuration(
+        "set-precision-1e-9-node",
+        "set_precision 1e-9, node",
+        ("grid", GRID),
+        f"{_MANUAL}, set_precision(mode='valid_output') before other operations",
+        noded_by(set_precision_then_node),
+    ),
+]
+
+if __name__ == "__main__":
+    geos = shapely.geos_version_string
+    serve(
+        Engine(
+            "shapely",
+            "shapely (GEOS of its wheel)",
+            f"{shapely.__version__}, GEOS {geos}",
+            f"GEOS {geos}",
+            "BSD-3-Clause, GEOS LGPL-2.1",
+            CONFIGURATIONS,
+        )
+    )
