@@ -1,0 +1,276 @@
+import java.io.BufferedReader;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import org.locationtech.jts.JTSVersion;
+import org.locationtech.jts.algorithm.RobustLineIntersector;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.LineString;
+import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.geom.PrecisionModel;
+import org.locationtech.jts.noding.FastNodingValidator;
+import org.locationtech.jts.noding.IntersectionAdder;
+import org.locationtech.jts.noding.IteratedNoder;
+import org.locationtech.jts.noding.MCIndexNoder;
+import org.locationtech.jts.noding.NodedSegmentString;
+import org.locationtech.jts.noding.Noder;
+import org.locationtech.jts.noding.SegmentString;
+import org.locationtech.jts.noding.snap.SnappingNoder;
+import org.locationtech.jts.noding.snapround.SnapRoundingNoder;
+import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
+import org.locationtech.jts.operation.polygonize.Polygonizer;
+
+/** JTS's noders, one by one, each followed by its Polygonizer, by the protocol of ../README.md. */
+public final class JtsAdapter {
+  private static final double SNAP = 1e-10;
+  private static final double SCALE = 1e9; // of the grid 1e-9; 1 / 1e-9 is another double
+  private static final GeometryFactory FACTORY = new GeometryFactory();
+
+  /** Noded lines of two points each, some of them repeated. */
+  private interface Way {
+    List<Coordinate[]> noded(double[] segments) throws Exception;
+  }
+
+  private record Configuration(
+      String name, String title, String kind, double tolerance, String source, Way way) {}
+
+  private static final List<Configuration> CONFIGURATIONS =
+      List.of(
+          new Configuration("mcindex", "MCIndexNoder", "none", 0,
+              "API: MCIndexNoder with an IntersectionAdder, one pass", by(JtsAdapter::mcIndex)),
+          new Configuration("mcindex-validated", "MCIndexNoder, FastNodingValidator", "none", 0,
+              "API: FastNodingValidator checks that the result is fully noded",
+              JtsAdapter::validated),
+          new Configuration("iterated", "IteratedNoder", "none", 0,
+              "API: IteratedNoder, passes until nothing crosses in an interior",
+              by(() -> new IteratedNoder(new PrecisionModel()))),
+          new Configuration("snapping-1e-10", "SnappingNoder 1e-10", "snap", SNAP,
+              "API: SnappingNoder; a tolerance far below the input's magnitude, 1e-12 of it or more",
+              by(() -> new SnappingNoder(SNAP))),
+          new Configuration("snap-rounding-1e-9", "SnapRoundingNoder 1e-9", "grid", 1 / SCALE,
+              "API: SnapRoundingNoder with a fixed PrecisionModel",
+              by(() -> new SnapRoundingNoder(new PrecisionModel(SCALE)))),
+          new Configuration("overlayng-robust", "OverlayNGRobust.union", "none", 0,
+              "API: OverlayNGRobust, floating first, then snapping, then snap rounding",
+              JtsAdapter::union));
+
+  private JtsAdapter() {}
+
+  public static void main(String[] arguments) throws Exception {
+    String wanted = arguments.length == 1 ? arguments[0] : "";
+    if (wanted.equals("--list")) {
+      System.out.println(listed());
+      return;
+    }
+    Configuration chosen =
+        CONFIGURATIONS.stream().filter(c -> c.name.equals(wanted)).findFirst().orElse(null);
+    if (chosen == null) {
+      System.err.println("usage: --list, or one of the configurations that it lists");
+      System.exit(2);
+    }
+    // Standard output is for answers alone: what an engine prints goes to standard error.
+    PrintStream answers =
+        new PrintStream(new FileOutputStream(FileDescriptor.out), false, StandardCharsets.US_ASCII);
+    System.setOut(System.err);
+    BufferedReader cases = new BufferedReader(new InputStreamReader(System.in));
+    for (String line = cases.readLine(); line != null; line = cases.readLine()) {
+      answers.println(answer(chosen, line));
+      answers.flush();
+    }
+  }
+
+  private static String answer(Configuration configuration, String line) {
+    String number = line.replaceFirst(".*\"case\"\\s*:\\s*(-?[0-9]+).*", "$1");
+    double[] segments = segmentsOf(line);
+    long began = System.nanoTime();
+    String said;
+    double seconds;
+    try {
+      List<Coordinate[]> noded = once(configuration.way.noded(segments));
+      Polygonizer polygonizer = new Polygonizer();
+      for (Coordinate[] ends : noded) polygonizer.add(FACTORY.createLineString(ends));
+      @SuppressWarnings("unchecked")
+      Collection<Polygon> polygons = polygonizer.getPolygons();
+      seconds = (System.nanoTime() - began) * 1e-9;
+      said = "\"model\": " + new Model(noded, polygons);
+    } catch (Exception | AssertionError | StackOverflowError error) {
+      seconds = (System.nanoTime() - began) * 1e-9;
+      said = failed(error);
+    }
+    return "{\"case\": " + number + ", \"seconds\": " + seconds + ", " + said + "}";
+  }
+
+  private static String failed(Throwable error) {
+    String message = error.getMessage() == null ? "" : error.getMessage();
+    return "\"error\": {\"class\": " + quoted(error.getClass().getSimpleName()) + ", \"message\": "
+        + quoted(message.substring(0, Math.min(message.length(), 500))) + "}";
+  }
+
+  /** The numbers of a case, four for each segment, without segments of length 0. */
+  private static double[] segmentsOf(String line) {
+    String inner = line.substring(line.indexOf('[', line.indexOf("\"segments\"")));
+    inner = inner.substring(0, inner.lastIndexOf(']'));
+    String[] texts = inner.replace('[', ' ').replace(']', ' ').replace(',', ' ').trim().split("\\s+");
+    if (texts.length < 4) return new double[0];
+    double[] numbers = new double[texts.length];
+    int kept = 0;
+    for (int i = 0; i + 3 < texts.length; i += 4) {
+      for (int k = 0; k < 4; ++k) numbers[kept + k] = Double.parseDouble(texts[i + k]) + 0.0; // no -0.0
+      boolean isPoint =
+          numbers[kept] == numbers[kept + 2] && numbers[kept + 1] == numbers[kept + 3];
+      if (!isPoint) kept += 4;
+    }
+    return java.util.Arrays.copyOf(numbers, kept);
+  }
+
+  private interface MakesNoder {
+    Noder make();
+  }
+
+  private static Way by(MakesNoder noder) {
+    return segments -> nodedBy(noder.make(), segments);
+  }
+
+  private static Noder mcIndex() {
+    return new MCIndexNoder(new IntersectionAdder(new RobustLineIntersector()));
+  }
+
+  private static List<Coordinate[]> validated(double[] segments) {
+    Noder noder = mcIndex();
+    List<SegmentString> strings = strings(segments);
+    noder.computeNodes(strings);
+    new FastNodingValidator(noder.getNodedSubstrings()).checkValid();
+    return pieces(noder.getNodedSubstrings());
+  }
+
+  private static List<Coordinate[]> nodedBy(Noder noder, double[] segments) {
+    noder.computeNodes(strings(segments));
+    return pieces(noder.getNodedSubstrings());
+  }
+
+  private static List<SegmentString> strings(double[] segments) {
+    List<SegmentString> strings = new ArrayList<>();
+    for (int i = 0; i < segments.length; i += 4) strings.add(new NodedSegmentString(ends(segments, i), null));
+    return strings;
+  }
+
+  private static Coordinate[] ends(double[] segments, int i) {
+    return new Coordinate[] {
+      new Coordinate(segments[i], segments[i + 1]), new Coordinate(segments[i + 2], segments[i + 3])
+    };
+  }
+
+  private static List<Coordinate[]> pieces(Collection<?> strings) {
+    List<Coordinate[]> pieces = new ArrayList<>();
+    for (Object string : strings) addPieces(((SegmentString) string).getCoordinates(), pieces);
+    return pieces;
+  }
+
+  private static void addPieces(Coordinate[] line, List<Coordinate[]> pieces) {
+    for (int k = 1; k < line.length; ++k) pieces.add(new Coordinate[] {line[k - 1], line[k]});
+  }
+
+  private static List<Coordinate[]> union(double[] segments) {
+    LineString[] lines = new LineString[segments.length / 4];
+    for (int i = 0; i < lines.length; ++i) lines[i] = FACTORY.createLineString(ends(segments, 4 * i));
+    Geometry union = OverlayNGRobust.union(FACTORY.createMultiLineString(lines));
+    List<Coordinate[]> pieces = new ArrayList<>();
+    for (int i = 0; i < union.getNumGeometries(); ++i) {
+      addPieces(union.getGeometryN(i).getCoordinates(), pieces);
+    }
+    return pieces;
+  }
+
+  /** Each piece once, in either direction, without those of no length. */
+  private static List<Coordinate[]> once(List<Coordinate[]> pieces) {
+    TreeSet<Coordinate[]> seen =
+        new TreeSet<>((a, b) -> a[0].compareTo(b[0]) != 0 ? a[0].compareTo(b[0]) : a[1].compareTo(b[1]));
+    for (Coordinate[] piece : pieces) {
+      int order = piece[0].compareTo(piece[1]);
+      if (order < 0) seen.add(piece);
+      if (order > 0) seen.add(new Coordinate[] {piece[1], piece[0]});
+    }
+    return new ArrayList<>(seen);
+  }
+
+  /** Noded pieces and polygons as JSON, with vertices numbered in the order in which they come. */
+  private static final class Model {
+    private final Map<Coordinate, Integer> number = new HashMap<>();
+    private final List<String> vertices = new ArrayList<>();
+    private final String edges;
+    private final String polygons;
+
+    Model(List<Coordinate[]> noded, Collection<Polygon> faces) {
+      List<String> pairs = new ArrayList<>();
+      for (Coordinate[] ends : noded) {
+        pairs.add("[" + numbered(ends[0]) + ", " + numbered(ends[1]) + "]");
+      }
+      edges = "[" + String.join(", ", pairs) + "]";
+      List<String> all = new ArrayList<>();
+      for (Polygon face : faces) all.add(rings(face));
+      polygons = "[" + String.join(", ", all) + "]";
+    }
+
+    private int numbered(Coordinate point) {
+      Coordinate at = new Coordinate(point.x + 0.0, point.y + 0.0); // -0.0 is 0.0
+      return number.computeIfAbsent(
+          at,
+          p -> {
+            vertices.add("[" + p.x + ", " + p.y + "]");
+            return vertices.size() - 1;
+          });
+    }
+
+    private String rings(Polygon face) {
+      List<String> rings = new ArrayList<>();
+      rings.add(ring(face.getExteriorRing()));
+      for (int i = 0; i < face.getNumInteriorRing(); ++i) rings.add(ring(face.getInteriorRingN(i)));
+      return "[" + String.join(", ", rings) + "]";
+    }
+
+    private String ring(LineString ring) {
+      Coordinate[] points = ring.getCoordinates();
+      List<String> numbers = new ArrayList<>();
+      for (int i = 0; i + 1 < points.length; ++i) numbers.add(String.valueOf(numbered(points[i])));
+      return "[" + String.join(", ", numbers) + "]";
+    }
+
+    @Override
+    public String toString() {
+      return "{\"V\": [" + String.join(", ", vertices) + "], \"EV\": " + edges + ", \"polygons\": "
+          + polygons + "}";
+    }
+  }
+
+  private static String listed() {
+    List<String> configurations = new ArrayList<>();
+    for (Configuration c : CONFIGURATIONS) {
+      configurations.add(
+          "{\"name\": " + quoted(c.name) + ", \"title\": " + quoted(c.title)
+              + ", \"tolerance\": {\"kind\": " + quoted(c.kind) + ", \"value\": " + c.tolerance
+              + "}, \"source\": " + quoted(c.source) + "}");
+    }
+    return "{\"engine\": \"jts\", \"title\": \"JTS\", \"version\": "
+        + quoted(JTSVersion.CURRENT_VERSION.toString()) + ", \"algorithm\": \"JTS\", \"licence\": "
+        + "\"EPL-2.0 or EDL-1.0\", \"configurations\": [" + String.join(", ", configurations) + "]}";
+  }
+
+  private static String quoted(String text) {
+    StringBuilder out = new StringBuilder("\"");
+    for (char c : text.toCharArray()) {
+      if (c == '"' || c == '\\') out.append('\\');
+      out.append(c < ' ' || c > '~' ? ' ' : c);
+    }
+    return out.append('"').toString();
+  }
+}
