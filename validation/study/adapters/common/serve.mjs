@@ -1,0 +1,96 @@
+// The protocol of adapters, for engines in JavaScript: cases in, models out. ../README.md has it.
+
+import {performance} from 'node:perf_hooks';
+import {createInterface} from 'node:readline';
+import {readFileSync} from 'node:fs';
+
+/** What an engine says of itself that failed, with the engine's own word for it. */
+export class EngineError extends Error {
+  constructor(kind, message) {
+    super(message);
+    this.kind = kind;
+  }
+}
+
+/** Of the package that npm installed; this file is linked beside node_modules. */
+export function versionOf(name) {
+  return JSON.parse(readFileSync(`${process.cwd()}/node_modules/${name}/package.json`, 'utf8')).version;
+}
+
+/**
+ * Runs an adapter: lists it, or answers the cases of standard input. `engine` has engine, title, version, algorithm,
+ * licence and configurations; of each configuration `run` gets segments [ax, ay, bx, by], of which none is of length 0, and
+ * a clock whose `time(f)` is to be called with what the engine does. It returns, or promises, a model.
+ */
+export async function serve(engine) {
+  const wanted = process.argv[2];
+  if (wanted === '--list') {
+    console.log(JSON.stringify(engine, (key, value) => (key === 'run' ? undefined : value)));
+    return;
+  }
+  const configuration = engine.configurations.find(({name}) => name === wanted);
+  if (!configuration) {
+    console.error('usage: --list, or one of the configurations that it lists');
+    process.exitCode = 2;
+    return;
+  }
+  console.log = console.info = console.error; // standard output is for answers alone
+  for await (const line of createInterface({input: process.stdin})) {
+    process.stdout.write(JSON.stringify(await answer(configuration, JSON.parse(line))) + '\n');
+  }
+}
+
+async function answer(configuration, given) {
+  const segments = given.segments
+    .map((segment) => segment.map((x) => x + 0)) // no -0
+    .filter(([ax, ay, bx, by]) => ax !== bx || ay !== by);
+  const clock = {
+    seconds: 0,
+    async time(work) {
+      const began = performance.now();
+      try {
+        return await work();
+      } finally {
+        this.seconds += (performance.now() - began) / 1000;
+      }
+    },
+  };
+  let said;
+  try {
+    const model = await configuration.run(segments, clock);
+    if (!model.V.every((point) => point.every(Number.isFinite))) {
+      throw new EngineError('NotFinite', 'coordinates of the result are not finite');
+    }
+    said = {model};
+  } catch (error) {
+    const kind = error.kind ?? error.name ?? error.constructor?.name ?? 'Error';
+    said = {error: {class: String(kind), message: String(error.message ?? error).slice(0, 500)}};
+  }
+  return {case: given.case, seconds: clock.seconds, ...said};
+}
+
+/** Numbers points in the order in which they come, equal ones alike. */
+export class Numbering {
+  points = [];
+  #number = new Map();
+
+  of(x, y) {
+    const key = `${x + 0},${y + 0}`;
+    let number = this.#number.get(key);
+    if (number === undefined) {
+      number = this.points.length;
+      this.#number.set(key, number);
+      this.points.push([x + 0, y + 0]);
+    }
+    return number;
+  }
+}
+
+/** Pairs of vertices, each once in either direction, without those of one vertex alone. */
+export function eachOnce(pairs) {
+  const once = new Map();
+  for (const [a, b] of pairs) {
+    if (a !== b) once.set(a < b ? `${a},${b}` : `${b},${a}`, a < b ? [a, b] : [b, a]);
+  }
+  return [...once.values()];
+}

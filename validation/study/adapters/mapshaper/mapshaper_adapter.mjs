@@ -1,0 +1,49 @@
+// mapshaper: lines to polygons by its command -polygons, which cuts lines where they cross. It says no edges.
+
+import mapshaper from 'mapshaper';
+import {EngineError, Numbering, serve, versionOf} from './serve.mjs';
+
+function withOptions(options) {
+  return async (segments, clock) => {
+    if (!segments.length) return {V: [], polygons: []};
+    const lines = segments.map(([ax, ay, bx, by]) => ({type: 'LineString', coordinates: [[ax, ay], [bx, by]]}));
+    const input = JSON.stringify({type: 'GeometryCollection', geometries: lines});
+    const output = await clock.time(() =>
+      mapshaper.applyCommands(`-quiet -i in.json ${options} -polygons -o out.json format=geojson`, {'in.json': input}));
+    if (!output['out.json']) throw new EngineError('NoOutput', 'mapshaper wrote no file');
+    return modelOf(JSON.parse(output['out.json']));
+  };
+}
+
+function modelOf({geometries = [], features = []}) {
+  const number = new Numbering();
+  const polygons = [...geometries, ...features.map(({geometry}) => geometry)]
+    .filter((geometry) => geometry)
+    .flatMap(({type, coordinates}) => (type === 'Polygon' ? [coordinates] : coordinates))
+    .map((rings) => rings.map((ring) => ring.slice(0, -1).map(([x, y]) => number.of(x, y))));
+  return {V: number.points, polygons};
+}
+
+serve({
+  engine: 'mapshaper',
+  title: 'mapshaper',
+  version: versionOf('mapshaper'),
+  algorithm: 'mapshaper',
+  licence: 'MPL-2.0',
+  configurations: [
+    {
+      name: 'polygons',
+      title: '-polygons',
+      tolerance: {kind: 'none', value: 0},
+      source: 'reference: -polygons, "convert polylines to polygons"; it snaps by itself',
+      run: withOptions(''),
+    },
+    {
+      name: 'snap-1e-9-polygons',
+      title: '-i snap-interval=1e-9, -polygons',
+      tolerance: {kind: 'snap', value: 1e-9},
+      source: 'reference: -i snap and snap-interval',
+      run: withOptions('snap snap-interval=1e-9'),
+    },
+  ],
+});
