@@ -1,9 +1,11 @@
 #include "adapter.hpp"
 
+#include <cxxabi.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -36,9 +38,9 @@ std::string decimals(double x) {
 }
 
 // The text after `"name":`.
-const char* value_of(const std::string& line, const char* name) {
-  const std::size_t at = line.find("\"" + std::string(name) + "\"");
-  if (at == std::string::npos) throw std::runtime_error(std::string("a case without ") + name);
+const char* value_of(const std::string& line, const std::string& name) {
+  const std::size_t at = line.find(quoted(name));
+  if (at == std::string::npos) throw std::runtime_error("a case without " + name);
   return std::strchr(line.c_str() + at, ':') + 1;
 }
 
@@ -97,16 +99,34 @@ std::string failed(const std::string& kind, const std::string& message) {
          ", \"message\": " + quoted(message.substr(0, 500)) + "}";
 }
 
+std::string class_of(const std::exception& error) {
+  const char* const mangled = typeid(error).name();
+  char* const name = abi::__cxa_demangle(mangled, nullptr, nullptr, nullptr);
+  std::string result = name == nullptr ? mangled : name;
+  std::free(name);
+  return result;
+}
+
+void ensure_finite(const Model& model) {
+  for (const Point& p : model.vertices) {
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1])) {
+      throw EngineError("NotFinite", "coordinates of the result are not finite");
+    }
+  }
+}
+
 std::string answer(const Configuration& configuration, const std::string& line) {
   const Case given = read_case(line);
   Clock clock;
   std::string said;
   try {
-    said = "\"model\": " + written(configuration.run(given.segments, clock));
+    const Model model = configuration.run(given.segments, clock);
+    ensure_finite(model);
+    said = "\"model\": " + written(model);
   } catch (const EngineError& error) {
     said = failed(error.kind(), error.what());
   } catch (const std::exception& error) {
-    said = failed(typeid(error).name(), error.what());
+    said = failed(class_of(error), error.what());
   }
   return "{\"case\": " + given.number + ", \"seconds\": " + decimals(clock.seconds()) + ", " +
          said + "}\n";

@@ -131,6 +131,8 @@ def _answer(configuration: Configuration, case: dict[str, Any]) -> dict[str, Any
     clock = Clock()
     try:
         model = configuration.run(segments, clock)
+        if not np.isfinite(np.array(model["V"], dtype=np.float64)).all():
+            raise EngineError("NotFinite", "coordinates of the result are not finite")
     except EngineError as error:
         return _failed(case, clock, error.kind, str(error))
     except Exception as error:

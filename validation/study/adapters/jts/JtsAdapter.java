@@ -102,18 +102,23 @@ public final class JtsAdapter {
       @SuppressWarnings("unchecked")
       Collection<Polygon> polygons = polygonizer.getPolygons();
       seconds = (System.nanoTime() - began) * 1e-9;
-      said = "\"model\": " + new Model(noded, polygons);
+      said = isFinite(noded)
+          ? "\"model\": " + new Model(noded, polygons)
+          : failed("NotFinite", "coordinates of the result are not finite");
     } catch (Exception | AssertionError | StackOverflowError error) {
       seconds = (System.nanoTime() - began) * 1e-9;
-      said = failed(error);
+      said = failed(error.getClass().getSimpleName(), error.getMessage());
     }
     return "{\"case\": " + number + ", \"seconds\": " + seconds + ", " + said + "}";
   }
 
-  private static String failed(Throwable error) {
-    String message = error.getMessage() == null ? "" : error.getMessage();
-    return "\"error\": {\"class\": " + quoted(error.getClass().getSimpleName()) + ", \"message\": "
-        + quoted(message.substring(0, Math.min(message.length(), 500))) + "}";
+  private static boolean isFinite(List<Coordinate[]> noded) {
+    return noded.stream().allMatch(ends -> ends[0].isValid() && ends[1].isValid());
+  }
+
+  private static String failed(String kind, String message) {
+    String said = message == null ? "" : message.substring(0, Math.min(message.length(), 500));
+    return "\"error\": {\"class\": " + quoted(kind) + ", \"message\": " + quoted(said) + "}";
   }
 
   /** The numbers of a case, four for each segment, without segments of length 0. */
