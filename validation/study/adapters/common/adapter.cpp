@@ -50,11 +50,11 @@ Case read_case(const std::string& line) {
   result.number = std::to_string(std::strtoll(value_of(line, "case"), nullptr, 10));
   std::vector<double> numbers;
   int depth = 0;
-  const char* at = value_of(line, "segments");
-  do {
+  const char* at = std::strchr(value_of(line, "segments"), '[');
+  while (at != nullptr && *at != '\0') {
     if (*at == '[') ++depth;
-    if (*at == ']') --depth;
-    if (std::strchr("[], \t", *at) != nullptr && *at != '\0') {
+    if (*at == ']' && --depth == 0) break;
+    if (std::strchr("[], \t\r", *at) != nullptr) {
       ++at;
       continue;
     }
@@ -62,7 +62,7 @@ Case read_case(const std::string& line) {
     numbers.push_back(std::strtod(at, &end) + 0.0);  // -0.0 is 0.0
     if (end == at) throw std::runtime_error("a case whose segments are no numbers");
     at = end;
-  } while (depth > 0);
+  }
   for (std::size_t i = 0; i + 3 < numbers.size(); i += 4) {
     const Segment s{Point{numbers[i], numbers[i + 1]}, Point{numbers[i + 2], numbers[i + 3]}};
     if (s[0] != s[1]) result.segments.push_back(s);
