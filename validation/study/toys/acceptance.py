@@ -99,7 +99,7 @@ def explanations(rows: dict[str, dict[str, Any]], toys: list[Drawing]) -> list[s
     for name, row in rows.items():
         for toy, here in zip(toys, row["faces"]):
             before = first.get(name, {}).get("first", {}).get(toy.name)
-            if before is not None and before != here:
+            if before not in (None, here, str(here).partition(":")[0]):
                 why = first[name].get("why", {}).get(toy.name, "**unexplained**")
                 lines.append(f"| {name} | {toy.name} | {before} | {here} | {why} |")
     return lines

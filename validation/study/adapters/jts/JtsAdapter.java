@@ -265,8 +265,10 @@ public final class JtsAdapter {
               + ", \"tolerance\": {\"kind\": " + quoted(c.kind) + ", \"value\": " + c.tolerance
               + "}, \"source\": " + quoted(c.source) + "}");
     }
-    return "{\"engine\": \"jts\", \"title\": \"JTS\", \"version\": "
-        + quoted(JTSVersion.CURRENT_VERSION.toString()) + ", \"algorithm\": \"JTS\", \"licence\": "
+    String version = JTSVersion.CURRENT_VERSION.toString();
+    return "{\"engine\": " + quoted(System.getProperty("engine", "jts"))
+        + ", \"title\": \"JTS\", \"version\": " + quoted(version)
+        + ", \"algorithm\": " + quoted("JTS " + version) + ", \"licence\": "
         + "\"EPL-2.0 or EDL-1.0\", \"configurations\": [" + String.join(", ", configurations) + "]}";
   }
 

@@ -1,0 +1,203 @@
+"""Every adapter that is installed answers by the protocol; those of engines that are not say so.
+
+    PYTHONPATH=... python -m pytest validation/study/tests/test_adapters.py
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "toys"))
+
+import acceptance
+from adapters import FOLDER, NOT_HERE, Adapter, Stopped, engines
+
+SECONDS = 60.0
+SQUARE = [[0.0, 0.0, 4.0, 0.0], [4.0, 0.0, 4.0, 4.0], [4.0, 4.0, 0.0, 4.0], [0.0, 4.0, 0.0, 0.0]]
+DIAGONALS = [[0.0, 0.0, 4.0, 4.0], [0.0, 4.0, 4.0, 0.0]]
+ISLAND = [[1.0, 2.0, 2.0, 1.0], [2.0, 1.0, 2.0, 2.0], [2.0, 2.0, 1.0, 2.0]]
+POINT = [[1.0, 1.0, 1.0, 1.0]]
+
+ENGINES = engines()
+HERE = [(e.name, c) for e in ENGINES for c in e.configurations]
+EDGES_ALONE = {"boost_polygon", ("cgal", "triangulation-epick")}
+FACES_ALONE = {"mapshaper"}
+HOLES_UNSAID = {("lar", "published")}
+
+
+@pytest.fixture(scope="module", params=HERE, ids=lambda of: f"{of[0]}-{of[1]}")
+def running(request: pytest.FixtureRequest) -> Iterator[tuple[tuple[str, str], Adapter]]:
+    adapter = Adapter(*request.param)
+    yield request.param, adapter
+    adapter.close()
+
+
+def model(adapter: Adapter, case: int, segments: list[list[float]]) -> dict[str, Any]:
+    answer = adapter.ask(case, segments, SECONDS)
+    assert answer["case"] == case
+    assert "error" not in answer, answer
+    assert answer["seconds"] >= 0
+    result: dict[str, Any] = answer["model"]
+    return result
+
+
+def says_edges(of: tuple[str, str]) -> bool:
+    return of[0] not in FACES_ALONE
+
+
+def says_faces(of: tuple[str, str]) -> bool:
+    return of[0] not in EDGES_ALONE and of not in EDGES_ALONE
+
+
+def points(of: dict[str, Any], indices: list[int]) -> set[tuple[float, ...]]:
+    return {tuple(round(c, 6) for c in of["V"][i]) for i in indices}
+
+
+def test_there_are_adapters() -> None:
+    assert len(ENGINES) >= 14
+
+
+@pytest.mark.parametrize("engine", ENGINES, ids=lambda e: e.name)
+def test_an_adapter_lists_its_engine_or_says_why_it_is_not_here(engine: Any) -> None:
+    if engine.listed is None:
+        assert engine.reason and not engine.reason.startswith("broken"), engine.reason
+        return
+    assert engine.listed["engine"] == engine.name
+    assert all(engine.listed[key] for key in ("title", "version", "algorithm", "licence"))
+    names = engine.configurations
+    assert names and len(set(names)) == len(names)
+    for configuration in engine.listed["configurations"]:
+        tolerance = configuration["tolerance"]
+        assert tolerance["kind"] in ("none", "grid", "snap")
+        assert (tolerance["value"] == 0) == (tolerance["kind"] == "none")
+        assert configuration["title"] and configuration["source"]
+
+
+@pytest.mark.parametrize("engine", [e.name for e in ENGINES])
+def test_an_unknown_configuration_is_bad_usage(engine: str) -> None:
+    run = subprocess.run(
+        [FOLDER / engine / "adapter", "no-such"], capture_output=True, text=True, check=False
+    )
+    assert run.returncode in (2, NOT_HERE) and run.stderr and not run.stdout
+
+
+def test_a_square_is_one_face(running: tuple[tuple[str, str], Adapter]) -> None:
+    of, adapter = running
+    answer = model(adapter, 3, SQUARE)
+    assert acceptance.bounded_faces(answer) == 1
+    assert points(answer, range(len(answer["V"]))) == {(0, 0), (4, 0), (4, 4), (0, 4)}
+    if says_edges(of):
+        assert len(answer["EV"]) == 4
+    if "polygons" in answer:
+        [[ring]] = answer["polygons"]
+        assert len(ring) == 4 and points(answer, ring) == {(0, 0), (4, 0), (4, 4), (0, 4)}
+    assert says_faces(of) == ("polygons" in answer or "FV" in answer)
+
+
+def test_crossing_lines_are_cut(running: tuple[tuple[str, str], Adapter]) -> None:
+    of, adapter = running
+    answer = model(adapter, 1, SQUARE + DIAGONALS)
+    assert acceptance.bounded_faces(answer) == 4
+    assert (2, 2) in points(answer, range(len(answer["V"])))
+    if says_edges(of):
+        assert len(answer["V"]) == 5
+        assert sorted(map(sorted, answer["EV"])) == sorted({tuple(sorted(e)): sorted(e) for e in answer["EV"]}.values())
+        assert len(answer["EV"]) == 8 and all(a != b for a, b in answer["EV"])
+
+
+def test_an_island_is_a_hole(running: tuple[tuple[str, str], Adapter]) -> None:
+    of, adapter = running
+    answer = model(adapter, 2, SQUARE + ISLAND)
+    if of in HOLES_UNSAID:
+        return
+    assert acceptance.bounded_faces(answer) == 2
+    if "polygons" in answer:
+        assert sorted(len(rings) for rings in answer["polygons"]) == [1, 2]
+        [outer, hole] = max(answer["polygons"], key=len)
+        assert points(answer, outer) == {(0, 0), (4, 0), (4, 4), (0, 4)}
+        assert points(answer, hole) == {(1, 2), (2, 1), (2, 2)}
+
+
+def test_nothing_is_nothing(running: tuple[tuple[str, str], Adapter]) -> None:
+    _, adapter = running
+    for segments in ([], POINT):
+        answer = model(adapter, 0, segments)
+        assert acceptance.bounded_faces(answer) == 0
+        assert answer["V"] == [] and answer.get("EV", []) == []
+
+
+def test_one_line_is_one_edge(running: tuple[tuple[str, str], Adapter]) -> None:
+    of, adapter = running
+    answer = adapter.ask(4, [[0.0, 0.0, 1.0, 2.0]], SECONDS)
+    if of == ("lar", "published"):
+        assert answer["error"]["class"]  # without a cycle it fails
+        return
+    assert acceptance.bounded_faces(answer["model"]) == 0
+    if says_edges(of):
+        assert answer["model"]["EV"] == [[0, 1]]
+
+
+def test_answers_come_in_the_order_of_cases(running: tuple[tuple[str, str], Adapter]) -> None:
+    _, adapter = running
+    for case in (9, 4, 7):
+        assert adapter.ask(case, SQUARE, SECONDS)["case"] == case
+
+
+@pytest.mark.parametrize(
+    ("of", "segments", "kind"),
+    [
+        (("jsts", "unary-union"), "tees 40", "TopologyException"),
+        (("jts_1_19", "mcindex-validated"), "fan 1e-15", "TopologyException"),
+        (("cdt", "try-resolve"), "tees 40", "RuntimeError"),
+        (("postgis_topology", "tolerance-0"), "fan 1e-12", "InternalError_"),
+        (("boost_polygon", "scale-1e8"), "tees 40", "OutOfRange"),
+    ],
+    ids=lambda value: value[0] if isinstance(value, tuple) else None,
+)
+def test_what_an_engine_says_of_failing_is_an_error(
+    of: tuple[str, str], segments: str, kind: str
+) -> None:
+    if of not in HERE:
+        pytest.skip(f"{of[0]} is not here")
+    toys = {toy.name: toy.segments for toy in acceptance.drawings()}
+    adapter = Adapter(*of)
+    try:
+        answer = adapter.ask(5, toys[segments], SECONDS)
+        assert answer["case"] == 5 and "model" not in answer
+        assert answer["error"]["class"] == kind and answer["error"]["message"]
+        assert acceptance.bounded_faces(model(adapter, 6, SQUARE)) == 1  # it goes on
+    finally:
+        adapter.close()
+
+
+def test_an_adapter_that_hangs_or_ends_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("adapters.FOLDER", tmp_path)
+    for name, body in (("hangs", "sleep 100"), ("ends", "exit 7"), ("crashes", "kill -SEGV $$")):
+        (tmp_path / name).mkdir()
+        program = tmp_path / name / "adapter"
+        program.write_text(f"#!/bin/bash\n{body}\n")
+        program.chmod(0o755)
+        adapter = Adapter(name, "any")
+        with pytest.raises(Stopped, match={"hangs": "timeout", "ends": "code 7"}.get(name, "SIGSEGV")):
+            adapter.ask(1, SQUARE, 0.5 if name == "hangs" else SECONDS)
+        adapter.kill()
+
+
+def test_answers_are_read_as_results() -> None:
+    """plumbline.check takes models as they are."""
+    plumbline = pytest.importorskip("plumbline")
+    if ("shapely", "node") not in HERE:
+        pytest.skip("shapely is not here")
+    adapter = Adapter("shapely", "node")
+    try:
+        answer = json.loads(json.dumps(model(adapter, 1, SQUARE + DIAGONALS + ISLAND)))
+        assert plumbline.check(answer, SQUARE + DIAGONALS + ISLAND).agree
+    finally:
+        adapter.close()
