@@ -1,6 +1,6 @@
 """Every adapter that is installed answers by the protocol; those of engines that are not say so.
 
-    PYTHONPATH=... python -m pytest validation/study/tests/test_adapters.py
+PYTHONPATH=... python -m pytest validation/study/tests/test_adapters.py
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "toys"))
 
 import acceptance
 from adapters import FOLDER, NOT_HERE, Adapter, Stopped, engines
+from drawings import drawings
 
 SECONDS = 60.0
 SQUARE = [[0.0, 0.0, 4.0, 0.0], [4.0, 0.0, 4.0, 4.0], [4.0, 4.0, 0.0, 4.0], [0.0, 4.0, 0.0, 0.0]]
@@ -56,7 +57,7 @@ def says_faces(of: tuple[str, str]) -> bool:
     return of[0] not in EDGES_ALONE and of not in EDGES_ALONE
 
 
-def points(of: dict[str, Any], indices: list[int]) -> set[tuple[float, ...]]:
+def points(of: dict[str, Any], indices: Iterable[int]) -> set[tuple[float, ...]]:
     return {tuple(round(c, 6) for c in of["V"][i]) for i in indices}
 
 
@@ -108,7 +109,9 @@ def test_crossing_lines_are_cut(running: tuple[tuple[str, str], Adapter]) -> Non
     assert (2, 2) in points(answer, range(len(answer["V"])))
     if says_edges(of):
         assert len(answer["V"]) == 5
-        assert sorted(map(sorted, answer["EV"])) == sorted({tuple(sorted(e)): sorted(e) for e in answer["EV"]}.values())
+        assert sorted(map(sorted, answer["EV"])) == sorted(
+            {tuple(sorted(e)): sorted(e) for e in answer["EV"]}.values()
+        )
         assert len(answer["EV"]) == 8 and all(a != b for a, b in answer["EV"])
 
 
@@ -166,7 +169,7 @@ def test_what_an_engine_says_of_failing_is_an_error(
 ) -> None:
     if of not in HERE:
         pytest.skip(f"{of[0]} is not here")
-    toys = {toy.name: toy.segments for toy in acceptance.drawings()}
+    toys = {toy.name: toy.segments for toy in drawings()}
     adapter = Adapter(*of)
     try:
         answer = adapter.ask(5, toys[segments], SECONDS)
@@ -177,7 +180,9 @@ def test_what_an_engine_says_of_failing_is_an_error(
         adapter.close()
 
 
-def test_an_adapter_that_hangs_or_ends_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_adapter_that_hangs_or_ends_is_noticed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr("adapters.FOLDER", tmp_path)
     for name, body in (("hangs", "sleep 100"), ("ends", "exit 7"), ("crashes", "kill -SEGV $$")):
         (tmp_path / name).mkdir()
@@ -185,7 +190,9 @@ def test_an_adapter_that_hangs_or_ends_is_noticed(tmp_path: Path, monkeypatch: p
         program.write_text(f"#!/bin/bash\n{body}\n")
         program.chmod(0o755)
         adapter = Adapter(name, "any")
-        with pytest.raises(Stopped, match={"hangs": "timeout", "ends": "code 7"}.get(name, "SIGSEGV")):
+        with pytest.raises(
+            Stopped, match={"hangs": "timeout", "ends": "code 7"}.get(name, "SIGSEGV")
+        ):
             adapter.ask(1, SQUARE, 0.5 if name == "hangs" else SECONDS)
         adapter.kill()
 

@@ -1,7 +1,7 @@
-"""Puts the toy drawings to every adapter, and holds the numbers of bounded faces against recorded.json.
+"""Puts the toy drawings to every adapter; holds the numbers of bounded faces against recorded.json.
 
-Prints a Markdown table with what differs, and why, as far as explained.json says it. Fails where a row
-is not the recorded one, or where a recorded row differs from the study's first table unexplained.
+Prints a Markdown table, and what differs from the study's first table, with the reasons that
+explained.json has. Fails where a row is not the recorded one, or where a difference has no reason.
 """
 
 from __future__ import annotations

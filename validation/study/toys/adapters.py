@@ -1,4 +1,5 @@
-"""Adapters as programs: which there are, and cases put to them. ../adapters/README.md has the protocol."""
+"""Adapters as programs: which there are, and cases put to them. ../adapters/README.md has the
+protocol."""
 
 from __future__ import annotations
 
@@ -9,7 +10,7 @@ import signal
 import subprocess
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -40,7 +41,7 @@ def engines() -> list[Listed]:
 
 
 def _listed(name: str) -> Listed:
-    command = [FOLDER / name / "adapter", "--list"]
+    command = [str(FOLDER / name / "adapter"), "--list"]
     try:
         run = subprocess.run(
             command, capture_output=True, text=True, timeout=_SECONDS_TO_LIST, check=False
@@ -103,15 +104,15 @@ class Adapter:
 
     def _ended(self) -> Stopped:
         code = self._process.wait()
-        return Stopped(f"crash, {signal.Signals(-code).name}" if code < 0 else f"ended, code {code}")
+        return Stopped(
+            f"crash, {signal.Signals(-code).name}" if code < 0 else f"ended, code {code}"
+        )
 
     def close(self) -> None:
         """Ends it and what it started."""
         assert self._process.stdin is not None and self._process.stdout is not None
-        try:
+        with suppress(BrokenPipeError):
             self._process.stdin.close()
-        except BrokenPipeError:
-            pass
         try:
             self._process.wait(timeout=10)
         except subprocess.TimeoutExpired:

@@ -16,12 +16,17 @@ def table(found: list[Listed]) -> str:
             continue
         of = engine.listed
         named = ", ".join(f"`{name}`" for name in engine.configurations)
-        rows.append(f"| {of['title']} (`{engine.name}`) | {of['version']} | {of['licence']} | {named} |")
+        rows.append(
+            f"| {of['title']} (`{engine.name}`) | {of['version']} | {of['licence']} | {named} |"
+        )
     here = [engine.listed for engine in found if engine.listed]
     algorithms = {of["algorithm"] for of in here}
     count = sum(len(of["configurations"]) for of in here)
-    rows += ["", f"{len(here)} of {len(found)} engines are here: {len(algorithms)} independent ones, "
-             f"{count} configurations."]
+    rows += [
+        "",
+        f"{len(here)} of {len(found)} engines are here: {len(algorithms)} independent ones, "
+        f"{count} configurations.",
+    ]
     return "\n".join(rows)
 
 

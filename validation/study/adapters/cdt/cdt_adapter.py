@@ -29,8 +29,8 @@ def resolved_within(distance: float) -> Callable[[Floats, Clock], Model]:
 
     def run(segments: Floats, clock: Clock) -> Model:
         points, pairs = endpoints(segments)
-        pairs = np.array(edges_once(pairs), dtype=np.uintc).reshape(-1, 2)
-        if not len(pairs):
+        constraints = np.array(edges_once(pairs), dtype=np.uintc).reshape(-1, 2)
+        if not len(constraints):
             return {"V": [], "EV": [], "polygons": []}
         with clock:
             t = cdt.Triangulation(
@@ -39,7 +39,7 @@ def resolved_within(distance: float) -> Callable[[Floats, Clock], Model]:
                 distance,
             )
             t.insert_vertices(points)
-            t.insert_edges(pairs)
+            t.insert_edges(constraints)
             t.erase_super_triangle()
         return _model(t)
 
@@ -63,15 +63,15 @@ CONFIGURATIONS = [
         "try-resolve",
         "TRY_RESOLVE",
         ("none", 0),
-        "README of CDT, 'Intersecting constraint edges': TRY_RESOLVE",
+        "CDT: TRY_RESOLVE is its way to take constraints that cross",
         resolved_within(0.0),
     ),
     Configuration(
         "try-resolve-1e-9",
         "TRY_RESOLVE, vertices within 1e-9 on edges",
         ("snap", 1e-9),
-        "documentation of CDT, minDistToConstraintEdge: 'distance within which vertices are "
-        "considered to be on the edge'",
+        "CDT, minDistToConstraintEdge: 'distance within which point is considered to be lying "
+        "on a constraint edge'",
         resolved_within(1e-9),
     ),
 ]

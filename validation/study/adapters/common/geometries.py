@@ -14,8 +14,7 @@ Geometries = NDArray[np.object_]
 
 def as_lines(segments: Floats) -> Geometries:
     """Segments as an array of LineStrings."""
-    lines: Geometries = shapely.linestrings(segments.reshape(-1, 2, 2))
-    return lines
+    return np.asarray(shapely.linestrings(segments.reshape(-1, 2, 2)), dtype=object)
 
 
 def model_of(noded: Any, polygons: Any) -> Model:

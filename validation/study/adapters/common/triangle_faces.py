@@ -42,9 +42,7 @@ def faces_of_triangles(
     return [sorted(of, key=lambda ring: -_area(vertices, ring)) for of in rings.values()]
 
 
-def _joined(
-    net: _Triangulation, drawn: set[tuple[int, int]]
-) -> tuple[list[int], set[int]]:
+def _joined(net: _Triangulation, drawn: set[tuple[int, int]]) -> tuple[list[int], set[int]]:
     """For each triangle its face, and the faces that nothing separates from the outside."""
     face = [-1] * len(net.corners)
     outside: set[int] = set()

@@ -60,14 +60,14 @@ CONFIGURATIONS = [
         "noded",
         "node_input, floating",
         ("none", 0),
-        "README: 'enable node_input' where intersections are unresolved; floating by default",
+        "README: where intersections are unresolved, enable node_input; floating by default",
         with_options(NODED),
     ),
     Configuration(
         "certified-1e-9",
         "certified fixed precision, grid 1e-9",
         ("grid", GRID),
-        "README: 'hot-pixel snap rounding plus validation'",
+        "README: CertifiedFixedPrecision, hot-pixel snap rounding plus validation",
         with_options(CERTIFIED),
     ),
 ]

@@ -151,16 +151,20 @@ int main(int argc, char** argv) {
        "LGPL-2.1",
        {
            {"node", "GEOSNode", "none", 0,
-            "geos_c.h, GEOSNode: 'all linework is fully noded'; GEOSPolygonize: 'must be correctly "
-            "noded'",
+            "geos_c.h, GEOSNode: 'no lines cross each other, and all touching occurs at end "
+            "points'",
             noded_by(node)},
            {"unary-union", "GEOSUnaryUnion", "none", 0,
-            "geos_c.h, GEOSUnaryUnion: of lines 'fully noded and dissolved'",
+            "geos_c.h, GEOSPolygonize: edges that are not noded 'run through GEOSUnaryUnion() "
+            "first'",
             noded_by(unary_union)},
            {"union-grid-1e-9", "GEOSUnaryUnionPrec, grid 1e-9", "grid", kGrid,
-            "geos_c.h, GEOSUnaryUnionPrec: on a grid 'robust'", noded_by(union_on_grid)},
+            "geos_c.h, GEOSUnaryUnionPrec: 'all the vertices of the output geometry must fall on "
+            "the grid'",
+            noded_by(union_on_grid)},
            {"set-precision-1e-9-node", "GEOSGeom_setPrecision 1e-9, GEOSNode", "grid", kGrid,
-            "geos_c.h, GEOSGeom_setPrecision: before other operations",
+            "what shapely's configuration of this name calls; geos_c.h promises the grid for "
+            "overlay functions only",
             noded_by(set_precision_then_node)},
        }},
       argc, argv);

@@ -47,29 +47,41 @@ def cleaned_by(tools: str, thresholds: str) -> Callable[[Floats, Clock], Model]:
     def run(segments: Floats, clock: Clock) -> Model:
         if not len(segments):
             return {"V": [], "EV": [], "polygons": []}
-        records = "".join(f"L 2 0\n {a!r} {b!r}\n {c!r} {d!r}\n" for a, b, c, d in segments.tolist())
-        module("v.in.ascii", "--q", "--o", "-n", "in=-", "out=given", "format=standard", given=records)
+        records = "".join(
+            f"L 2 0\n {a!r} {b!r}\n {c!r} {d!r}\n" for a, b, c, d in segments.tolist()
+        )
+        module(
+            "v.in.ascii", "--q", "--o", "-n", "in=-", "out=given", "format=standard", given=records
+        )
         with clock:
             module(*clean, "in=given", "out=noded")
-            _build_areas()
-        return _model()
+            has_areas = _build_areas()
+        return _model(has_areas)
 
     return run
 
 
-def _build_areas() -> None:
+def _build_areas() -> bool:
+    """Whether there may be any."""
     types = ["from_type=line", "to_type=boundary"]
     module("v.type", "--q", "--o", "in=noded", "out=boundaries", *types)
     to_lines = ["type=boundary", "tool=chdangle,chbridge", "threshold=-1,0"]
     module("v.clean", "--q", "--o", "in=boundaries", "out=closed", *to_lines)
-    module("v.centroids", "--q", "--o", "in=closed", "out=areas")
+    try:
+        module("v.centroids", "--q", "--o", "in=closed", "out=areas")
+    except EngineError as error:
+        if "no boundaries" in str(error):  # all were dangling
+            return False
+        raise
+    return True
 
 
-def _model() -> Model:
+def _model(has_areas: bool) -> Model:
     precision = f"precision={DECIMALS}"
     all_lines = ["in=noded", "format=standard", "type=line", "layer=-1"]
     lines = _lines(module("v.out.ascii", "--q", *all_lines, precision))
-    areas = module("v.out.ascii", "--q", "in=areas", "format=wkt", "type=area", precision)
+    of_areas = ["in=areas", "format=wkt", "type=area", precision]
+    areas = module("v.out.ascii", "--q", *of_areas) if has_areas else ""
     rings = [_rings(line) for line in areas.splitlines() if line.startswith("POLYGON")]
     chains = lines + [ring for polygon in rings for ring in polygon]
     vertices, index = distinct(np.concatenate(chains) if chains else np.empty((0, 2)))

@@ -48,7 +48,5 @@ CONFIGURATIONS = [
 
 if __name__ == "__main__":
     serve(
-        Engine(
-            "lar", "float LAR", plumbline.__version__, "LAR", "GPL-3.0-or-later", CONFIGURATIONS
-        )
+        Engine("lar", "float LAR", plumbline.__version__, "LAR", "GPL-3.0-or-later", CONFIGURATIONS)
     )

@@ -1,4 +1,4 @@
-"""PostGIS topology: lines added one by one to a topology, in a database server of the adapter's own.
+"""PostGIS topology: lines added one by one, in a database server of the adapter's own.
 
 Each case is a transaction that is rolled back, so that no case leaves anything to the next.
 """
@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 import psycopg
 import shapely
-from geometries import model_of
+from geometries import as_lines, model_of
 from study_adapter import (
     Clock,
     Configuration,
@@ -37,6 +37,7 @@ PROGRAMS = Path("/usr/lib/postgresql/15/bin")
 EXTENSION = Path("/usr/share/postgresql/15/extension/postgis_topology.control")
 SNAP = 1e-9
 _FOLDER = "plumbline-postgis-"
+_SECONDS_TO_START = 30
 _SET_PARENT_DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl
 
 
@@ -70,7 +71,8 @@ def start_server() -> psycopg.Connection[Any]:
     if user:
         os.chown(folder, user["user"], user["group"])
     data = folder / "data"
-    initdb = [PROGRAMS / "initdb", "-A", "trust", "-U", "study", "-N", "-E", "UTF8", "-D", data]
+    options = ["-A", "trust", "-U", "study", "-N", "-E", "UTF8", "-D", str(data)]
+    initdb = [str(PROGRAMS / "initdb"), *options]
     made = subprocess.run(initdb, cwd=folder, capture_output=True, text=True, check=False, **user)
     if made.returncode != 0:
         not_here(f"initdb: {made.stderr.strip()[-300:]}")
@@ -95,12 +97,14 @@ def _stop(server: subprocess.Popen[bytes]) -> None:
 
 
 def _connected(folder: Path) -> psycopg.Connection[Any]:
-    for _ in range(200):  # ten seconds
+    deadline = time.monotonic() + _SECONDS_TO_START
+    while True:
         try:
             return psycopg.connect(host=str(folder), user="study", dbname="postgres")
         except psycopg.OperationalError:
+            if time.monotonic() > deadline:
+                not_here("the database server does not start")
             time.sleep(0.05)
-    not_here("the database server does not start")
 
 
 _SERVER: list[psycopg.Connection[Any]] = []
@@ -112,7 +116,7 @@ def with_tolerance(tolerance: float) -> Callable[[Floats, Clock], Model]:
         if not _SERVER:
             _SERVER.append(start_server())
         connection = _SERVER[0]
-        lines = [shapely.to_wkb(line) for line in shapely.linestrings(segments.reshape(-1, 2, 2))]
+        lines = [shapely.to_wkb(line) for line in as_lines(segments)]
         try:
             with connection.cursor() as cursor:
                 cursor.execute("SELECT topology.CreateTopology('t', 0, %s)", [tolerance])
@@ -145,14 +149,15 @@ CONFIGURATIONS = [
         "tolerance-0",
         "TopoGeo_AddLineString, tolerance 0",
         ("none", 0),
-        "PostGIS manual, TopoGeo_AddLineString: without a tolerance that of the topology, here 0",
+        "PostGIS manual, CreateTopology with precision 0, TopoGeo_AddLineString",
         with_tolerance(0.0),
     ),
     Configuration(
         "tolerance-1e-9",
         "TopoGeo_AddLineString, tolerance 1e-9",
         ("snap", SNAP),
-        "PostGIS manual, TopoGeo_AddLineString: snapping tolerance",
+        "PostGIS manual, TopoGeo_AddLineString: snaps 'to existing nodes or edges within given "
+        "tolerance'",
         with_tolerance(SNAP),
     ),
 ]

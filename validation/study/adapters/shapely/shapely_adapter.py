@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import shapely
 from geometries import Geometries, as_lines, model_of
@@ -12,7 +13,7 @@ GRID = 1e-9
 _MANUAL = "shapely manual"
 
 
-def noded_by(node: Callable[[Geometries], shapely.Geometry]) -> Callable[[Floats, Clock], Model]:
+def noded_by(node: Callable[[Geometries], Any]) -> Callable[[Floats, Clock], Model]:
     """The way to run it: noded, then polygonized."""
 
     def run(segments: Floats, clock: Clock) -> Model:
@@ -25,19 +26,19 @@ def noded_by(node: Callable[[Geometries], shapely.Geometry]) -> Callable[[Floats
     return run
 
 
-def node(lines: Geometries) -> shapely.Geometry:
+def node(lines: Geometries) -> Any:
     return shapely.node(shapely.multilinestrings(lines))
 
 
-def unary_union(lines: Geometries) -> shapely.Geometry:
+def unary_union(lines: Geometries) -> Any:
     return shapely.unary_union(shapely.multilinestrings(lines))
 
 
-def union_on_grid(lines: Geometries) -> shapely.Geometry:
+def union_on_grid(lines: Geometries) -> Any:
     return shapely.union_all(lines, grid_size=GRID)
 
 
-def set_precision_then_node(lines: Geometries) -> shapely.Geometry:
+def set_precision_then_node(lines: Geometries) -> Any:
     on_grid = shapely.set_precision(shapely.multilinestrings(lines), GRID, mode="valid_output")
     return shapely.node(on_grid)
 
@@ -47,28 +48,28 @@ CONFIGURATIONS = [
         "node",
         "node",
         ("none", 0),
-        f"{_MANUAL}, node: 'a fully noded linestring'; polygonize: 'lines must be noded'",
+        f"{_MANUAL}, node: 'to create a fully-noded linework' for polygonize",
         noded_by(node),
     ),
     Configuration(
         "unary-union",
         "unary_union",
         ("none", 0),
-        f"{_MANUAL}, unary_union of lines: noded and dissolved; what it advises before polygonize",
+        f"{_MANUAL}, unary_union, an alias of union_all: unions of lines are noded",
         noded_by(unary_union),
     ),
     Configuration(
         "union-grid-1e-9",
         "union_all, grid 1e-9",
         ("grid", GRID),
-        f"{_MANUAL}, union_all(grid_size): 'robust' overlay on a grid",
+        f"{_MANUAL}, union_all: with grid_size all coordinates are snapped to that grid",
         noded_by(union_on_grid),
     ),
     Configuration(
         "set-precision-1e-9-node",
         "set_precision 1e-9, node",
         ("grid", GRID),
-        f"{_MANUAL}, set_precision(mode='valid_output') before other operations",
+        f"{_MANUAL}, set_precision: 'subsequent operations will always be performed in' it",
         noded_by(set_precision_then_node),
     ),
 ]
