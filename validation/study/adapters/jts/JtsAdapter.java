@@ -125,12 +125,14 @@ public final class JtsAdapter {
   private static double[] segmentsOf(String line) {
     String inner = line.substring(line.indexOf('[', line.indexOf("\"segments\"")));
     inner = inner.substring(0, inner.lastIndexOf(']'));
-    String[] texts = inner.replace('[', ' ').replace(']', ' ').replace(',', ' ').trim().split("\\s+");
+    String[] texts = inner.replaceAll("[\\[\\],]", " ").trim().split("\\s+");
     if (texts.length < 4) return new double[0];
     double[] numbers = new double[texts.length];
     int kept = 0;
     for (int i = 0; i + 3 < texts.length; i += 4) {
-      for (int k = 0; k < 4; ++k) numbers[kept + k] = Double.parseDouble(texts[i + k]) + 0.0; // no -0.0
+      for (int k = 0; k < 4; ++k) {
+        numbers[kept + k] = Double.parseDouble(texts[i + k]) + 0.0; // no -0.0
+      }
       boolean isPoint =
           numbers[kept] == numbers[kept + 2] && numbers[kept + 1] == numbers[kept + 3];
       if (!isPoint) kept += 4;
@@ -165,7 +167,9 @@ public final class JtsAdapter {
 
   private static List<SegmentString> strings(double[] segments) {
     List<SegmentString> strings = new ArrayList<>();
-    for (int i = 0; i < segments.length; i += 4) strings.add(new NodedSegmentString(ends(segments, i), null));
+    for (int i = 0; i < segments.length; i += 4) {
+      strings.add(new NodedSegmentString(ends(segments, i), null));
+    }
     return strings;
   }
 
@@ -187,7 +191,9 @@ public final class JtsAdapter {
 
   private static List<Coordinate[]> union(double[] segments) {
     LineString[] lines = new LineString[segments.length / 4];
-    for (int i = 0; i < lines.length; ++i) lines[i] = FACTORY.createLineString(ends(segments, 4 * i));
+    for (int i = 0; i < lines.length; ++i) {
+      lines[i] = FACTORY.createLineString(ends(segments, 4 * i));
+    }
     Geometry union = OverlayNGRobust.union(FACTORY.createMultiLineString(lines));
     List<Coordinate[]> pieces = new ArrayList<>();
     for (int i = 0; i < union.getNumGeometries(); ++i) {
@@ -199,7 +205,8 @@ public final class JtsAdapter {
   /** Each piece once, in either direction, without those of no length. */
   private static List<Coordinate[]> once(List<Coordinate[]> pieces) {
     TreeSet<Coordinate[]> seen =
-        new TreeSet<>((a, b) -> a[0].compareTo(b[0]) != 0 ? a[0].compareTo(b[0]) : a[1].compareTo(b[1]));
+        new TreeSet<>(
+            (a, b) -> a[0].equals2D(b[0]) ? a[1].compareTo(b[1]) : a[0].compareTo(b[0]));
     for (Coordinate[] piece : pieces) {
       int order = piece[0].compareTo(piece[1]);
       if (order < 0) seen.add(piece);
@@ -269,7 +276,8 @@ public final class JtsAdapter {
     return "{\"engine\": " + quoted(System.getProperty("engine", "jts"))
         + ", \"title\": \"JTS\", \"version\": " + quoted(version)
         + ", \"algorithm\": " + quoted("JTS " + version) + ", \"licence\": "
-        + "\"EPL-2.0 or EDL-1.0\", \"configurations\": [" + String.join(", ", configurations) + "]}";
+        + "\"EPL-2.0 or EDL-1.0\", \"configurations\": ["
+        + String.join(", ", configurations) + "]}";
   }
 
   private static String quoted(String text) {

@@ -64,7 +64,8 @@ std::vector<std::vector<Ring>> polygons_of(const TopoDS_Shape& faces, Numbering&
     for (TopExp_Explorer wire(face, TopAbs_WIRE); wire.More(); wire.Next()) {
       if (wire.Current().IsSame(outer)) continue;
       Ring ring = ring_of(TopoDS::Wire(wire.Current()), number);
-      if (ring.size() > 2) result.back().push_back(std::move(ring));  // else an edge within the face
+      if (ring.size() > 2)
+        result.back().push_back(std::move(ring));  // else an edge within the face
     }
   }
   return result;
