@@ -15,10 +15,12 @@ export function polygonsOfLoops(walks, points) {
     if (outer) faces.push({outer, area: area(outer, points), holes: rings.filter((ring) => ring !== outer)});
     else outsides.push(...rings);
   }
+  faces.sort((a, b) => a.area - b.area);
+  const boxes = faces.map(({outer}) => boxOf(outer.map((v) => points[v])));
   for (const ring of outsides) {
-    const around = faces
-      .filter(({outer}) => inside(outer.map((v) => points[v]), points[ring[0]]) < 0)
-      .sort((a, b) => a.area - b.area)[0];
+    const point = points[ring[0]];
+    const around = faces.find(({outer}, i) =>
+      isInBox(point, boxes[i]) && inside(outer.map((v) => points[v]), point) < 0);
     if (around) around.holes.push(ring);
   }
   return faces.map(({outer, holes}) => [outer, ...holes]);
@@ -44,6 +46,21 @@ function withoutTwins(walk) {
   }
   if (way.length) rings.push(way);
   return rings;
+}
+
+function boxOf(corners) {
+  const box = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const [x, y] of corners) {
+    box[0] = Math.min(box[0], x);
+    box[1] = Math.min(box[1], y);
+    box[2] = Math.max(box[2], x);
+    box[3] = Math.max(box[3], y);
+  }
+  return box;
+}
+
+function isInBox([x, y], [left, bottom, right, top]) {
+  return left <= x && x <= right && bottom <= y && y <= top;
 }
 
 /** Twice the signed area. */

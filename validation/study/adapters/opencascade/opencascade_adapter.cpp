@@ -43,6 +43,7 @@ std::vector<Edge> edges_of(const TopoDS_Shape& shape, Numbering& number) {
     TopoDS_Vertex a;
     TopoDS_Vertex b;
     TopExp::Vertices(TopoDS::Edge(edges(i)), a, b);
+    if (a.IsNull() || b.IsNull()) continue;  // it leaves edges of no length without vertices
     result.push_back({numbered(a, number), numbered(b, number)});
   }
   return study::each_once(std::move(result));
