@@ -28,7 +28,11 @@ POINT = [[1.0, 1.0, 1.0, 1.0]]
 
 ENGINES = engines()
 HERE = [(e.name, c) for e in ENGINES for c in e.configurations]
-EDGES_ALONE = {"boost_polygon", ("cgal", "triangulation-epick")}
+EDGES_ALONE = {
+    "boost_polygon",
+    ("cgal", "triangulation-epick"),
+    ("cgal_checked", "triangulation-epick"),
+}
 FACES_ALONE = {"mapshaper"}
 HOLES_UNSAID = {("lar", "published")}
 

@@ -101,22 +101,35 @@ Model triangulated(const std::vector<study::Segment>& segments, Clock& clock) {
 
 int main(int argc, char** argv) {
   return study::serve(
-      {"cgal",
-       "CGAL, inexact constructions",
-       CGAL_VERSION_STR,
-       "CGAL",
-       "GPL-3.0-or-later",
-       {
-           {"arrangement-double", "Arrangement_2, Simple_cartesian<double>", "none", 0,
-            "2D Arrangements: the kernel is the user's choice; with inexact ones it is not robust",
-            arranged<Double>},
-           {"arrangement-epick", "Arrangement_2, EPICK", "none", 0,
-            "2D Arrangements: exact predicates alone are not enough, so against the manual's "
-            "advice",
-            arranged<Epick>},
-           {"triangulation-epick", "Constrained_triangulation_plus_2, EPICK", "none", 0,
-            "2D Triangulations: Exact_predicates_tag, with crossings that are rounded",
-            triangulated},
-       }},
+#ifdef NDEBUG
+      {
+        "cgal", "CGAL, inexact constructions",
+#else
+      {"cgal_checked",
+       "CGAL, inexact constructions, with assertions",
+#endif
+            CGAL_VERSION_STR, "CGAL", "GPL-3.0-or-later", {
+          {"arrangement-double",
+           "Arrangement_2, Simple_cartesian<double>",
+           "none",
+           0,
+           "Arr_segment_traits_2: an inexact kernel 'usually leads to shorter running times', and "
+           "'causes robustness problems in most cases'",
+           arranged<Double>},
+              {"arrangement-epick",
+               "Arrangement_2, EPICK",
+               "none",
+               0,
+               "2D Arrangements: exact predicates alone are not enough, so against the manual's "
+               "advice",
+               arranged<Epick>},
+              {"triangulation-epick",
+               "Constrained_triangulation_plus_2, EPICK",
+               "none",
+               0,
+               "2D Triangulations: Exact_predicates_tag, with crossings that are rounded",
+               triangulated},
+        }
+      },
       argc, argv);
 }
