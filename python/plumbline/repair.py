@@ -20,6 +20,7 @@ from plumbline.arrangement import Arrangement, arrange
 from plumbline.errors import Error
 from plumbline.lines import Lines, LinesLike, lines
 from plumbline.lists import Lists
+from plumbline.write import refuse_to_overwrite
 
 if TYPE_CHECKING:
     from geopandas import GeoDataFrame
@@ -213,7 +214,12 @@ class Repair:
             For a format that is not known, and the file that was read; FileError where the file
             cannot be written.
         """
-        _write(self, self.input, path, format, edits=edits)
+        _write(self, path, format, edits=edits)
+
+    @property
+    def _patched(self) -> Lines:
+        """The drawing whose file is written with changes."""
+        return self.input
 
     def _written(self, format: str, *, edits: bool = False, **options: Any) -> str | bytes:
         """The content of a file: what `plumbline.write` asks for."""
@@ -253,11 +259,16 @@ class Undone(Lines):
 
     def write(self, path: str | os.PathLike[str], *, format: str | None = None) -> None:
         """Writes the drawing, as `Repair.write` does, into the file of the repaired one."""
-        _write(self, self._repaired or self, path, format)
+        _write(self, path, format)
+
+    @property
+    def _patched(self) -> Lines:
+        """The drawing whose file is written with changes."""
+        return self._repaired or self
 
     def _written(self, format: str, **options: Any) -> str | bytes:
         _ensure_none(options)
-        return _drawing_text(format, self._repaired or self, self)
+        return _drawing_text(format, self._patched, self)
 
     def __setstate__(self, state: tuple[_core.SegmentSet, Numbers]) -> None:
         super().__setstate__(state)
@@ -302,15 +313,12 @@ def _file_first(
 
 def _write(
     what: Repair | Undone,
-    source: Lines,
     path: str | os.PathLike[str],
     format: str | None,
     **options: Any,
 ) -> None:
     file = os.fspath(path)
-    read_from = getattr(source, "_read_from", None)
-    if read_from and os.path.exists(file) and os.path.samefile(file, read_from[0]):
-        raise Error(f"this would overwrite the drawing that was read: {file!r}")
+    refuse_to_overwrite(what, file)
     chosen = format or os.path.splitext(file)[1].lstrip(".").lower()
     text = what._written(chosen, **options)
     _core.write_file(file, text.encode() if isinstance(text, str) else text)

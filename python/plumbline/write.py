@@ -107,6 +107,7 @@ def write(
     """
     name = os.fspath(path)
     chosen = _format(name, format)
+    refuse_to_overwrite(x, name)
     options: dict[str, Any] = {}
     if decimals is not None:
         options["decimals"] = decimals
@@ -114,10 +115,10 @@ def write(
         options["cells"] = cells
     if chosen in _TABLES:
         content: str | bytes = _table_bytes(x, chosen, options)
-    elif isinstance(x, Lines):
-        content = _lines_text(x, chosen, **options)
     elif hasattr(x, "_written"):
         content = x._written(chosen, **options)
+    elif isinstance(x, Lines):
+        content = _lines_text(x, chosen, **options)
     elif _is_frame(x):
         content = _frame_text(x, chosen, options)
     else:
@@ -141,6 +142,15 @@ def _format(path: str, format: str | None) -> str:
         endings = ", ".join(ending for endings in _ENDINGS.values() for ending in endings)
         raise Error(f"the file's ending is none of {endings}, and no format is given: {path!r}")
     return max(known)[1]
+
+
+def refuse_to_overwrite(x: Any, path: str) -> None:
+    """An Error where this is the file of the drawing that `x` was made of."""
+    source = getattr(x, "_patched", None)
+    read_from = getattr(source, "_read_from", None)
+    if read_from and os.path.exists(path) and os.path.exists(read_from[0]):
+        if os.path.samefile(path, read_from[0]):
+            raise Error(f"this would overwrite the drawing that was read: {path!r}")
 
 
 def _refusal(what: str, format: str, known: Sequence[str]) -> Error:

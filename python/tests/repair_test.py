@@ -278,6 +278,25 @@ def test_a_dxf_keeps_its_arcs_and_colours_and_is_undone_to_what_it_was(tmp_path:
     assert plumbline.read(tmp_path / "fixed.svg").coords.shape == repair.output.coords.shape
 
 
+def test_the_function_write_keeps_the_same_file_and_patches_it_as_the_methods_do(
+    tmp_path: Path,
+) -> None:
+    plan, fixed = tmp_path / "plan.dxf", tmp_path / "fixed.dxf"
+    plan.write_text(DXF)
+    repair = plumbline.repair(plan, tolerance=0.05, weld=0)
+    with pytest.raises(plumbline.Error, match="overwrite"):
+        plumbline.write(repair, plan)
+    assert plan.read_text() == DXF
+    plumbline.write(repair, fixed)
+    undone = plumbline.undo(plumbline.read(fixed), repair)
+    with pytest.raises(plumbline.Error, match="overwrite"):
+        plumbline.write(undone, fixed)
+    plumbline.write(undone, tmp_path / "back.dxf")
+    assert "\nARC\n" in (tmp_path / "back.dxf").read_text()
+    undone.write(tmp_path / "again.dxf")
+    assert (tmp_path / "again.dxf").read_bytes() == (tmp_path / "back.dxf").read_bytes()
+
+
 def test_an_svg_stays_as_it_is_but_for_what_is_edited(tmp_path: Path) -> None:
     plan, fixed = tmp_path / "plan.svg", tmp_path / "fixed.svg"
     plan.write_text(
