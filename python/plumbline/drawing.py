@@ -8,6 +8,7 @@ from typing import Any
 
 from plumbline import _core
 from plumbline._numbers import Number, Numbers, exact_text
+from plumbline._reading import Reading
 from plumbline.errors import Error
 from plumbline.lines import Lines, _warn_of_losses
 from plumbline.structure import Struct, Structure
@@ -23,7 +24,7 @@ class Drawing(Lines):
     """
 
     _read_from: tuple[str, _core.ReadOptions] | None = None
-    """The file and how it was read, until it is pickled: to write it with changes."""
+    """The file and how it was read: to write it with changes."""
 
     def __init__(self, core: _core.SegmentSet, numbers: Numbers, structure: Structure) -> None:
         super().__init__(core, numbers)
@@ -46,11 +47,14 @@ class Drawing(Lines):
         return Drawing(part._core.evaluate(self.numbers == "doubles"), self.numbers, part)
 
     def __getstate__(self) -> tuple[Any, ...]:
-        return (*super().__getstate__(), self.structure)
+        return (*super().__getstate__(), self.structure, self._read_from is not None)
 
     def __setstate__(self, state: tuple[Any, ...]) -> None:
-        *lines, self.structure = state
+        *lines, self.structure, is_of_file = state
         super().__setstate__((lines[0], lines[1]))
+        reading = self.structure._made_by
+        if is_of_file and isinstance(reading, Reading):
+            self._read_from = reading.path, reading.options
 
 
 def read(
@@ -124,7 +128,9 @@ def read(
     if numbers not in ("decimals", "doubles"):
         raise Error(f'numbers are "doubles" or "decimals": {numbers!r}')
     structure = _core.read(os.fspath(path), options)
-    result = Drawing(structure.evaluate(numbers == "doubles"), numbers, Structure(structure))
+    made_by = Reading.of_file(path, options)
+    core = structure.evaluate(numbers == "doubles")
+    result = Drawing(core, numbers, Structure(structure, made_by))
     result._read_from = os.fspath(path), options
     _warn_of_losses(result)
     return result

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, Union
@@ -12,6 +13,7 @@ import numpy as np
 
 from plumbline import _core
 from plumbline._numbers import Numbers
+from plumbline._reading import Reading
 from plumbline._tree import plural, title, tree_rows
 from plumbline.errors import Error
 from plumbline.lines import Lines, _warn_of_losses
@@ -120,8 +122,9 @@ class Struct:
             core = self._owner._core
             if core.root == self._number:
                 return self._owner
-            return Structure(core.with_root(self._number))
-        return Structure(_compiled(self))
+            made_by = _structure_of, (self,)
+            return Structure(core.with_root(self._number), made_by)
+        return Structure(_compiled(self), (_structure_of, (self,)))
 
     @property
     def dimension(self) -> int:
@@ -134,7 +137,9 @@ class Struct:
         return self.structure.box
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _read, (self.structure.to_json(),)
+        if self._owner is not None:
+            return _struct_of, (self._owner, self._number)
+        return _struct_of_rows, (_rows(self),)
 
     def __str__(self) -> str:
         return str(self.structure)
@@ -155,20 +160,26 @@ class Structure:
     plumbline.read, plumbline.Struct
     """
 
-    def __init__(self, core: _core.Structure) -> None:
+    def __init__(
+        self,
+        core: _core.Structure,
+        made_by: tuple[Callable[..., Structure], tuple[Any, ...]] | Reading | None = None,
+    ) -> None:
         self._core = core
+        self._made_by = made_by
         self._made: dict[int, Struct] = {}
 
     @classmethod
     def from_json(cls, text: str, name: str = "<json>") -> Structure:
         """Of the text that `to_json` writes, or of LAR's hierarchies in that form."""
-        return cls(_core.Structure.of_json(text, name))
+        return cls(_core.Structure.of_json(text, name), (cls.from_json, (text, name)))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Structure:
         """The hierarchy of a file, of any dimension, without its lines. `plumbline.read` has both,
         and says how files are read."""
-        return cls(_core.read(os.fspath(path), _core.ReadOptions()))
+        options = _core.ReadOptions()
+        return cls(_core.read(os.fspath(path), options), Reading.of_file(path, options))
 
     @property
     def root(self) -> Struct:
@@ -295,11 +306,12 @@ class Structure:
         Error
             Where there is none; it names those that there are.
         """
-        return Structure(self._core.of_category(category))
+        made_by = Structure.of_category, (self, category)
+        return Structure(self._core.of_category(category), made_by)
 
     def embed(self, k: int) -> Structure:
         """With k more dimensions, for k < 0 with -k fewer."""
-        return Structure(self._core.embedded(k))
+        return Structure(self._core.embedded(k), (Structure.embed, (self, k)))
 
     def to_json(self) -> str:
         """As text that `from_json` and `plumbline.read` take; docs/json.md describes it."""
@@ -331,7 +343,15 @@ class Structure:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Structure.from_json, (self.to_json(),)
+        """What it was made of: the file's bytes, or Structs."""
+        if isinstance(self._made_by, tuple):
+            return self._made_by
+        if self._made_by is None or self._made_by.again() != self._core:
+            raise TypeError(
+                "this Structure cannot be pickled so that it stays the same: its file is no text "
+                "in UTF-8, or has changed while it was read; pickle what evaluate() gives"
+            )
+        return _structure_read, (self._made_by,)
 
     def __str__(self) -> str:
         return self.tree(lines=_SHOWN)
@@ -499,5 +519,55 @@ def _add(core: _core.Structure, number: int, item: BodyItem) -> None:
         core.add_element(number, item)
 
 
-def _read(text: str) -> Struct:
-    return Structure.from_json(text).root
+# Pickled.
+
+
+def _structure_of(struct: Struct) -> Structure:
+    return struct.structure
+
+
+def _structure_read(reading: Reading) -> Structure:
+    core = reading.again()
+    if core is None:
+        raise Error(f"this is no text in UTF-8: {reading.path!r}")
+    return Structure(core, reading)
+
+
+def _struct_of(owner: Structure, number: int) -> Struct:
+    return owner._struct(number)
+
+
+Row = tuple[str, str, list[Any]]
+"""A Struct: name, category, items, those that Python made as `_Reference`."""
+
+
+@dataclass(frozen=True)
+class _Reference:
+    row: int
+
+
+def _rows(root: Struct) -> list[Row]:
+    """The Structs that Python made below one, and itself last: pickled without recursion."""
+    number: dict[int, int] = {}
+    rows: list[Row] = []
+    for struct in _children_first(root):
+        items: list[Any] = []
+        for item in struct.body:
+            if isinstance(item, _core.Element):
+                raise TypeError(
+                    "a Struct with elements of a drawing cannot be pickled: put the drawing's "
+                    "Struct, or its lines, into it"
+                )
+            is_row = isinstance(item, Struct) and item._owner is None
+            items.append(_Reference(number[id(item)]) if is_row else item)
+        number[id(struct)] = len(rows)
+        rows.append((struct.name, struct.category, items))
+    return rows
+
+
+def _struct_of_rows(rows: list[Row]) -> Struct:
+    made: list[Struct] = []
+    for name, category, items in rows:
+        body = [made[item.row] if isinstance(item, _Reference) else item for item in items]
+        made.append(Struct(body, name, category))
+    return made[-1]

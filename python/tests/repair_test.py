@@ -297,6 +297,17 @@ def test_the_function_write_keeps_the_same_file_and_patches_it_as_the_methods_do
     assert (tmp_path / "again.dxf").read_bytes() == (tmp_path / "back.dxf").read_bytes()
 
 
+def test_a_pickled_drawing_is_patched_as_long_as_its_file_is_there(tmp_path: Path) -> None:
+    plan, fixed = tmp_path / "plan.dxf", tmp_path / "fixed.dxf"
+    plan.write_text(DXF)
+    repair = pickle.loads(pickle.dumps(plumbline.repair(plan, tolerance=0.05, weld=0)))
+    repair.write(fixed)
+    assert "\nARC\n" in fixed.read_text()
+    plan.unlink()
+    with pytest.warns(plumbline.LossWarning, match="lines alone"):
+        repair.write(fixed)
+
+
 def test_an_svg_stays_as_it_is_but_for_what_is_edited(tmp_path: Path) -> None:
     plan, fixed = tmp_path / "plan.svg", tmp_path / "fixed.svg"
     plan.write_text(

@@ -349,6 +349,53 @@ def test_a_pickled_drawing_keeps_its_hierarchy(examples: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    "name", ["flat.dxf", "office-plan.svg", "rooms.json", "rooms.geojson", "rooms.wkb", "rooms.csv"]
+)
+def test_a_pickled_structure_is_the_same_and_evaluates_to_the_same(
+    examples: Path, name: str
+) -> None:
+    drawing = plumbline.read(examples / name)
+    structure = pickle.loads(pickle.dumps(drawing.structure))
+    assert structure == drawing.structure
+    assert structure.files == drawing.structure.files
+    assert list(structure.evaluate()) == list(drawing)
+    again = pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(drawing))))
+    assert list(again) == list(drawing)
+    assert again.structure == structure
+    of_layer = drawing.structs[0]
+    assert list(plumbline.evaluate(pickle.loads(pickle.dumps(of_layer)))) == list(
+        plumbline.evaluate(of_layer)
+    )
+
+
+def test_a_pickled_structure_does_not_need_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "a.wkt"
+    path.write_text("LINESTRING (0 0, 1 0.1)")
+    structure = plumbline.read(path).structure
+    path.unlink()
+    assert pickle.loads(pickle.dumps(structure)) == structure
+
+
+def test_pickled_structs_and_structures_of_them_are_the_same(examples: Path) -> None:
+    inner = Struct([t("1/3", 0), SQUARE], "inner", "chair")
+    drawing = plumbline.read(examples / "flat.dxf")
+    struct = Struct([inner, r(degrees=30), inner, plumbline.lines([(0, 0, 1, 1)]), drawing], "all")
+    again = pickle.loads(pickle.dumps(struct))
+    assert again.body[0] is again.body[2]
+    assert again.structure == struct.structure
+    for one in (struct.structure, struct.structure.of_category("chair")):
+        assert pickle.loads(pickle.dumps(one)) == one
+
+
+def test_what_cannot_be_pickled_as_it_is_says_so(tmp_path: Path) -> None:
+    path = tmp_path / "latin.dxf"
+    texts = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nW\xe4nde\n10\n0\n20\n0\n11\n1\n21\n1\n"
+    path.write_bytes((texts + "0\nENDSEC\n0\nEOF\n").encode("latin-1"))
+    with pytest.raises(TypeError, match="cannot be pickled"):
+        pickle.dumps(plumbline.read(path))
+
+
 def test_structures_of_space_are_read_and_looked_at_from_aside(examples: Path) -> None:
     cubes = Structure.read(examples.parent / "structures" / "cubes.json")
     assert cubes.dimension == 3
