@@ -8,6 +8,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, overload
 
 from plumbline import _core
+from plumbline._arguments import threads_of
+from plumbline._joined import joined_arrangement
 from plumbline._notebook import drawn, framed
 from plumbline._numbers import Number, Numbers
 from plumbline._progress import Progress
@@ -36,7 +38,8 @@ class Rooms(Sequence[_core.Room]):
     ----------
     arrangement : Arrangement
         What the rooms are faces of. Where printed doubles left walls apart by their last digit, the
-        arrangement of the drawing with these places joined.
+        arrangement of the drawing with these places joined, of lines of its own, which have the
+        items of the drawing's.
     joined : int
         How many such places there were.
 
@@ -46,9 +49,15 @@ class Rooms(Sequence[_core.Room]):
     """
 
     def __init__(
-        self, core: _core.Rooms, arrangement: Arrangement, joined: int, made_of: tuple[Any, ...]
+        self,
+        core: _core.Rooms,
+        complex: _core.Complex,
+        arrangement: Arrangement,
+        joined: int,
+        made_of: tuple[Any, ...],
     ) -> None:
         self._core = core
+        self._complex = complex  # of the arrangement, with the segments of `lines`
         self.arrangement = arrangement
         self.joined = joined
         self._made_of = made_of
@@ -73,7 +82,8 @@ class Rooms(Sequence[_core.Room]):
     @property
     def lines(self) -> Lines:
         """The lines that bound rooms, with the labels of the whole drawing."""
-        return self.arrangement.lines
+        lines: Lines = self._made_of[0]
+        return lines
 
     @property
     def min_area(self) -> Fraction:
@@ -123,15 +133,15 @@ class Rooms(Sequence[_core.Room]):
 
     def to_svg(self) -> str:
         """A plan: rooms in colours, different ones beside each other, with number, name, area."""
-        return self._core.to_svg(self.lines._core, self.arrangement._core)
+        return self._core.to_svg(self.lines._core, self._complex)
 
     def to_html(self) -> str:
         """A page with the plan and a list to search and to sort; it loads nothing else."""
-        return self._core.to_html(self.lines._core, self.arrangement._core)
+        return self._core.to_html(self.lines._core, self._complex)
 
     @cached_property
     def _table(self) -> _core.Table:
-        return self._core.table(self.lines._core, self.arrangement._core, 0)
+        return self._core.table(self.lines._core, self._complex, 0)
 
     def to_geopandas(self) -> GeoDataFrame:
         """A GeoDataFrame of valid polygons with doubles that are proven to be a partition.
@@ -232,16 +242,17 @@ def _made(
     known: _core.Complex | None = None,
 ) -> Rooms:
     """The rooms of lines, all of which bound rooms. `known` is their arrangement."""
-    if known is None:
+    arrangement = Arrangement(known, of) if known is not None else None
+    if arrangement is None:
         arrangement = arrange(of, threads=threads, progress=progress)
-    else:
-        arrangement = Arrangement(known, of)
-    without_drift, joined, _ = _core.without_drift(of._core, arrangement._core, threads or 0)
+    exact = arrangement._core
+    without_drift, joined, _ = _core.without_drift(of._core, exact, threads_of(threads))
     if without_drift is not None:
-        arrangement = Arrangement(without_drift, of)
+        exact = without_drift
+        arrangement = joined_arrangement(of, exact)
     unit = of.unit if is_unit_given else None
-    found = _core.rooms(of._core, arrangement._core, min_area, min_width, unit, doors)
-    return Rooms(found, arrangement, joined, (of, min_area, min_width, is_unit_given, doors))
+    found = _core.rooms(of._core, exact, min_area, min_width, unit, doors)
+    return Rooms(found, exact, arrangement, joined, (of, min_area, min_width, is_unit_given, doors))
 
 
 def rooms(
@@ -319,5 +330,5 @@ def rooms(
         of = of.on_layers(*chosen)
     if unit is not None:
         of = Lines(_core.with_unit(of._core, unit_of(unit)), of.numbers)
-    known = drawing._core if isinstance(drawing, Arrangement) and not chosen else None
+    known = drawing.exact._core if isinstance(drawing, Arrangement) and not chosen else None
     return _made(of, *sizes, unit is not None, names(doors), threads, progress, known)

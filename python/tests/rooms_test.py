@@ -142,6 +142,45 @@ def test_places_that_printed_doubles_leave_apart_are_joined() -> None:
     assert len(pickle.loads(pickle.dumps(found))) == 1
 
 
+JOINED = [
+    "POLYGON ((0 0, 0.29999999999999966 0, 0.30000000000000004 0.7, 0 0.7, 0 0))",
+    "LINESTRING (0.30000000000000004 0.00000000000000001, 1 0, 1 0.7, 0.29999999999999999 0.7)",
+    "LINESTRING (0 0.2, 1 0.2)",
+    "POINT (7 7)",
+]
+
+
+@pytest.mark.filterwarnings("ignore::plumbline.LossWarning")
+def test_the_arrangement_of_joined_places_is_that_of_its_lines() -> None:
+    drawing = plumbline.lines("GEOMETRYCOLLECTION (" + ", ".join(JOINED) + ")")
+    found = plumbline.rooms(drawing, min_area=0, min_width=0)
+    assert found.joined
+    joined = found.arrangement
+    assert plumbline.validate(joined) == []
+    assert plumbline.same(joined.lines, joined)
+    assert not plumbline.same(joined, drawing)
+    again = pickle.loads(pickle.dumps(joined))
+    assert again == joined
+    assert again.sources == joined.sources
+    assert plumbline.verify(joined.lines, plumbline.certificate(joined))
+    assert joined.lines.item_count == drawing.item_count
+    assert {drawing.source_text(i) for i in set(joined.sources.indices)} == {
+        drawing.source_text(i) for i in set(drawing.item)
+    }
+    assert plumbline.validity(joined) == []
+    assert [room.area for room in found] == [joined.areas[room.face] for room in found]
+    assert found.to_svg().startswith("<svg")
+    assert len(found.to_geopandas()) == len(found)
+    assert plumbline.signature(found.lines) == plumbline.signature(drawing)
+
+
+def test_rooms_of_a_rounded_arrangement_are_those_of_the_exact_one() -> None:
+    rounded = plumbline.arrange(WITH_WALLS).rounded(0)
+    assert [room.area for room in plumbline.rooms(rounded)] == [
+        room.area for room in plumbline.rooms(WITH_WALLS)
+    ]
+
+
 def test_polygons_are_valid_and_their_areas_those_of_the_rooms(examples: Path) -> None:
     found = plumbline.rooms(examples / "hospital-ward.svg")
     frame = found.to_geopandas()
