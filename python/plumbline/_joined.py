@@ -12,6 +12,7 @@ from plumbline import _core
 from plumbline.arrangement import Arrangement
 from plumbline.errors import InternalError
 from plumbline.lines import ExactPoint, Lines
+from plumbline.lists import Lists
 from plumbline.points import Points
 
 _TEXT = -1  # instead of a count of digits: the number is a text
@@ -35,7 +36,8 @@ def joined_arrangement(of: Lines, joined: _core.Complex) -> Arrangement:
 
 def _bent(of: Lines, joined: _core.Complex) -> Lines:
     """The segments as they are in `joined`: each that was bent as its edges, from end to end."""
-    files, sources, (mantissas, digits, texts), item, rounding, rest = of._core.__getstate__()
+    state: Any = of._core.__getstate__()
+    files, sources, (mantissas, digits, texts), item, rounding, rest = state
     mantissas, digits = mantissas.reshape(-1, 4), digits.reshape(-1, 4)
     points = Points(joined)
     ends = joined.edges().tolist()
@@ -71,7 +73,7 @@ def _bent(of: Lines, joined: _core.Complex) -> Lines:
 
 def _edges_of_segments(joined: _core.Complex, count: int) -> list[list[int]]:
     starts, segments = joined.edge_sources()
-    edge = np.repeat(np.arange(len(starts) - 1), np.diff(starts.astype(np.intp)))
+    edge = np.repeat(np.arange(len(starts) - 1), Lists(starts, segments).lengths)
     result: list[list[int]] = [[] for _ in range(count)]
     for e, s in zip(edge.tolist(), segments.tolist()):
         result[s].append(e)
@@ -93,7 +95,8 @@ def _pieces(
         along[v] = (px - ax) * x + (py - ay) * y
         is_straight = is_straight and (px - ax) * y == (py - ay) * x
     length = x * x + y * y
-    if is_straight and along and (min(along.values()), max(along.values())) == (0, length):
+    reaches = along and min(along.values()) == 0 and max(along.values()) == length
+    if is_straight and reaches:
         return None
     directed = [(a, b) if along[a] < along[b] else (b, a) for a, b in edges]
     return sorted(directed, key=lambda piece: along[piece[0]])

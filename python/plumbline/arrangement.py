@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plumbline import _core
+from plumbline._cached import cached
 from plumbline._numbers import Number, Numbers, exact_text
 from plumbline._progress import Progress, told
 from plumbline.errors import Error
@@ -62,7 +62,7 @@ class Arrangement:
 
     # Vertices.
 
-    @cached_property
+    @cached
     def vertices(self) -> NDArray[np.float64]:
         """Vertices, correctly rounded to nearest doubles, (V, 2). Two vertices may round to the
         same doubles, and edges cross: `rounded` has doubles that are proven to be free of that."""
@@ -75,29 +75,29 @@ class Arrangement:
 
     # Edges.
 
-    @cached_property
+    @cached
     def edges(self) -> NDArray[np.uint32]:
         """Edges as pairs of vertices, tail first, (E, 2)."""
         return self._core.edges()
 
-    @cached_property
+    @cached
     def edge_segments(self) -> Lists:
         """Per edge the segments of `lines` that cover it, ascending."""
         return Lists(*self._core.edge_sources())
 
-    @cached_property
+    @cached
     def sources(self) -> Lists:
         """Per edge the items of the input that cover it (rows, geometries, elements), ascending,
         each once."""
         return Lists(*self._core.edge_items(self.lines._core))
 
-    @cached_property
+    @cached
     def face_sources(self) -> Lists:
         """Per face (the unbounded one, too) the items of the input that bound it or end within
         it, ascending, each once."""
         return Lists(*_core.face_items(self._core, self.lines._core))
 
-    @cached_property
+    @cached
     def antennas(self) -> NDArray[np.intp]:
         """Edges with the same face on both sides: dangling ones and bridges."""
         left = self.halfedge_face
@@ -109,64 +109,64 @@ class Arrangement:
         """How many bounded faces there are."""
         return self.counts.faces - 1
 
-    @cached_property
+    @cached
     def cycles(self) -> Lists:
         """Closed walks of halfedges, each with one face on its left: outer boundaries run
         counter-clockwise, holes clockwise."""
         return Lists(*self._core.cycles())
 
-    @cached_property
+    @cached
     def face_outer(self) -> NDArray[np.uint32]:
         """Per face its outer boundary, a cycle; 2**32 - 1 of the unbounded face 0, which has
         none."""
         return self._core.face_outer()
 
-    @cached_property
+    @cached
     def face_holes(self) -> Lists:
         """Per face its holes, as cycles."""
         return Lists(*self._core.face_holes())
 
-    @cached_property
+    @cached
     def isolated_vertices(self) -> Lists:
         """Per face the vertices of no edge that lie in it."""
         return Lists(*self._core.face_isolated_vertices())
 
-    @cached_property
+    @cached
     def halfedge_face(self) -> NDArray[np.uint32]:
         """Per halfedge the face on its left, (2 E,)."""
         return self._core.halfedge_face()
 
-    @cached_property
+    @cached
     def depth(self) -> NDArray[np.uint32]:
         """Per face how deep it is nested: 0 for the unbounded one, its parent's + 1 else."""
         return self._core.face_depth()
 
-    @cached_property
+    @cached
     def parent(self) -> NDArray[np.uint32]:
         """Per face the face that it, or the connected component that it is of, lies in."""
         return _core.face_parents(self._core)
 
-    @cached_property
+    @cached
     def vertex_component(self) -> NDArray[np.uint32]:
         """Per vertex its connected component."""
         return self._core.vertex_component()
 
-    @cached_property
+    @cached
     def component_parent(self) -> NDArray[np.uint32]:
         """Per connected component the face that it lies in."""
         return self._core.component_parent()
 
-    @cached_property
+    @cached
     def area(self) -> NDArray[np.float64]:
         """Per face its area without holes, correctly rounded; 0 of the unbounded one."""
         return self._core.area_doubles()
 
-    @cached_property
+    @cached
     def areas(self) -> list[Fraction]:
         """The same, exactly."""
         return self._core.face_areas()
 
-    @cached_property
+    @cached
     def perimeter(self) -> NDArray[np.float64]:
         """Per face the length of its boundary, rounded; edges with it on both sides left out."""
         return _core.perimeters(self._core)
@@ -192,23 +192,23 @@ class Arrangement:
         """LAR's name for `edges`."""
         return self.edges
 
-    @cached_property
+    @cached
     def FV(self) -> Lists:
         """Per bounded face (the first is face 1) the vertices of its outer boundary as walked
         counter-clockwise, then those of its holes; edges that end within it left out: LAR's FV."""
         return Lists(*_core.face_walks(self._core))
 
-    @cached_property
+    @cached
     def FE(self) -> Lists:
         """Per bounded face its edges, ascending, those that end within it, too: LAR's FE."""
         return Lists(*self._core.face_edges())
 
-    @cached_property
+    @cached
     def d1(self) -> scipy.sparse.csc_array:
         """The boundary operator from edges to vertices, V x E: -1 at the tail, +1 at the head."""
         return _csc(self._core.boundary_1())
 
-    @cached_property
+    @cached
     def d2(self) -> scipy.sparse.csc_array:
         """The boundary operator from faces to edges, E x F; column 0 is the unbounded face.
         ``d1 @ d2`` is 0."""
@@ -248,7 +248,7 @@ class Arrangement:
             return rounded, rounded.vertices
         return self, rounded.vertices[rounded.vertex_image]
 
-    @cached_property
+    @cached
     def polygons(self) -> FacePolygons:
         """The bounded faces as valid polygons, in arrays, without shapely."""
         from plumbline.polygons import polygons_of
@@ -397,12 +397,12 @@ class Arrangement:
 
     # As a whole.
 
-    @cached_property
+    @cached
     def counts(self) -> _core.Counts:
         """Numbers of cells."""
         return self._core.counts()
 
-    @cached_property
+    @cached
     def signature(self) -> str:
         """32 hexadecimal digits that depend on coordinates and incidences alone: equal
         arrangements have equal ones, on every machine, however the input was ordered."""

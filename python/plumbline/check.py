@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, NoReturn, Protocol, Union
 
 import numpy as np
@@ -15,6 +14,7 @@ from plumbline._arguments import (
     threads_of,
     written_table,
 )
+from plumbline._cached import cached
 from plumbline._core import Answer, Cause, ChangedFaces, Finding, FindingGroup, RightRadii
 from plumbline._notebook import framed
 from plumbline._numbers import Number, Numbers, exact_text
@@ -84,17 +84,17 @@ class Check:
     def __bool__(self) -> bool:
         return self.agree and self._core.lost() == 0
 
-    @cached_property
+    @cached
     def findings(self) -> list[Finding]:
         """What is wrong. Numbered from 1 by their positions."""
         return self._core.comparison.findings
 
-    @cached_property
+    @cached
     def causes(self) -> list[Cause]:
         """Why, one for each finding."""
         return self._core.causes
 
-    @cached_property
+    @cached
     def groups(self) -> list[FindingGroup]:
         """Findings that are one event in one place; what changes most comes first."""
         return self._core.groups
@@ -104,19 +104,19 @@ class Check:
         """How many findings are the drawing's own: its digits leave them open."""
         return self._core.own_findings()
 
-    @cached_property
+    @cached
     def conversion_findings(self) -> list[Finding]:
         """What rounding the drawing to doubles alone changes, whatever the result: how `doubles`
         differs from `exact`."""
         return self._core.conversion.findings
 
-    @cached_property
+    @cached
     def conversion_causes(self) -> list[Cause]:
         """Of those: whether reading the numbers makes them ("parse"), or applying maps
         ("transform")."""
         return self._core.conversion_causes
 
-    @cached_property
+    @cached
     def doubles(self) -> Arrangement:
         """The exact arrangement of the drawing's numbers, each rounded to the nearest double, with
         lines of its own. Arranged when asked for."""
@@ -165,7 +165,7 @@ class Check:
         """With which radii the engine is right; None where that was not looked for."""
         return self._core.right_radii
 
-    @cached_property
+    @cached
     def ladder(self) -> Ladder:
         """At which radii the drawing falls together."""
         core = self._core.ladder or _core.tolerance_ladder(self._core.exact_complex, 1000, None)

@@ -6,13 +6,13 @@ import json
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plumbline import _core
+from plumbline._cached import cached
 from plumbline._geometries import as_geometries, segments_of
 from plumbline._numbers import Numbers, exact_text
 from plumbline._warnings import warn_of_loss
@@ -58,13 +58,13 @@ class Lines:
         ax, ay, bx, by = self._core.segment(range(len(self))[i])
         return (ax, ay), (bx, by)
 
-    @cached_property
+    @cached
     def coords(self) -> NDArray[np.float64]:
         """Segments as rows ax, ay, bx, by, correctly rounded to nearest doubles. (n, 4),
         read-only."""
         return self._core.coords()
 
-    @cached_property
+    @cached
     def item(self) -> NDArray[np.uint32]:
         """Per segment the position of its item: row of the array, geometry of the series, element
         of the drawing. (n,), read-only."""

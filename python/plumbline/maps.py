@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, cast, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plumbline import _core
+from plumbline._cached import cached
 from plumbline._numbers import Number, Numbers, exact_text
 from plumbline.errors import Error
 
@@ -119,7 +119,7 @@ class Map:
         self._core  # noqa: B018
         return self._bound
 
-    @cached_property
+    @cached
     def exact(self) -> tuple[tuple[Fraction, ...], ...]:
         """The d + 1 rows of the matrix in homogeneous coordinates, exactly."""
         entries, d = self._core.entries(), self.dimension

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plumbline import _core
+from plumbline._cached import cached
 from plumbline._numbers import Number, Numbers
 from plumbline.errors import Error
 from plumbline.lists import Lists
@@ -74,7 +74,7 @@ class LarModel:
         """Of the space, not of the cells."""
         return self._core.dimension
 
-    @cached_property
+    @cached
     def V(self) -> NDArray[np.float64]:
         """Vertices, correctly rounded to nearest doubles, (n, d)."""
         return self._core.coords()
@@ -93,7 +93,7 @@ class LarModel:
         """All vertices, exactly."""
         return [self.exact(v) for v in range(self._core.vertex_count)]
 
-    @cached_property
+    @cached
     def cells(self) -> tuple[Lists, ...]:
         """The arrays of cells, those of the highest dimension first."""
         return tuple(Lists(*self._core.cells(k)) for k in range(self._core.array_count))

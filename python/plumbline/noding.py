@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cached_property
 from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plumbline import _core
+from plumbline._cached import cached
 from plumbline._geometries import as_geometries
 from plumbline._numbers import Numbers
 from plumbline._optional import needed
@@ -44,7 +44,7 @@ class Sourced(Sequence[Any]):
         self.sources = sources
         self._kind = kind
 
-    @cached_property
+    @cached
     def geometry(self) -> Any:
         shapely = needed("shapely")
         return getattr(shapely, self._kind)(self.geometries)

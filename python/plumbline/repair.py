@@ -7,10 +7,10 @@ import os
 import tempfile
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Union
 
 from plumbline import _core
+from plumbline._cached import cached
 from plumbline._notebook import drawn, framed
 from plumbline._numbers import Number, Numbers
 from plumbline._sizes import names, size_text
@@ -52,28 +52,28 @@ class Repair:
         self._options = dict(options or {})
         self.input = of
 
-    @cached_property
+    @cached
     def output(self) -> Lines:
         """The repaired drawing: `plumbline.arrange` takes it, and all that takes lines."""
         return Lines(self._core.output, self.input.numbers)
 
-    @cached_property
+    @cached
     def origins(self) -> Lists:
         """Per segment of `output` those of `input` that it stands for, ascending."""
         return Lists(*self._core.origins())
 
-    @cached_property
+    @cached
     def edits(self) -> list[_core.Edit]:
         """In the order in which they were made: ``kind``, ``where``, ``size`` (rounded),
         ``squared_size`` (exact), lines ``before`` and ``after``."""
         return self._core.edits
 
-    @cached_property
+    @cached
     def refused(self) -> list[_core.Refusal]:
         """What would have been an edit, and the ``reason`` why it is none."""
         return self._core.refused
 
-    @cached_property
+    @cached
     def faces(self) -> list[_core.FaceOutcome]:
         """Faces that are not there as they were: ``fate`` ("closed", "split", "joined", "opened",
         "changed"), exact areas, the ``edits`` that did it."""
@@ -94,12 +94,12 @@ class Repair:
         """Segments of `input` that no edit could touch."""
         return self._core.anchored
 
-    @cached_property
+    @cached
     def changes(self) -> list[_core.NetChange]:
         """What changed on the whole: segments ``before``, with their sources, and ``after``."""
         return _core.net_changes(self.input._core, self._core)
 
-    @cached_property
+    @cached
     def rounded_lines(self) -> int:
         """How many lines of `changes` end at fractions that no decimal is: all formats but .lines
         round them to doubles, beside what they meet."""
@@ -109,12 +109,12 @@ class Repair:
             for ends in change.after
         )
 
-    @cached_property
+    @cached
     def before(self) -> Arrangement:
         """The arrangement of `input`."""
         return arrange(self.input)
 
-    @cached_property
+    @cached
     def after(self) -> Arrangement:
         """The arrangement of `output`."""
         return arrange(self.output)

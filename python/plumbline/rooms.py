@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, overload
 
 from plumbline import _core
 from plumbline._arguments import threads_of
+from plumbline._cached import cached
 from plumbline._joined import joined_arrangement
 from plumbline._notebook import drawn, framed
 from plumbline._numbers import Number, Numbers
@@ -75,7 +75,7 @@ class Rooms(Sequence[_core.Room]):
     def __iter__(self) -> Iterator[_core.Room]:
         return iter(self._rooms)
 
-    @cached_property
+    @cached
     def _rooms(self) -> list[_core.Room]:
         return self._core.rooms
 
@@ -115,7 +115,7 @@ class Rooms(Sequence[_core.Room]):
         """The unit that the drawing says, where that would make it tiny, and it is not believed."""
         return self._core.doubted
 
-    @cached_property
+    @cached
     def outside(self) -> list[_core.Label]:
         """Labels in no room."""
         labels = self.lines.labels
@@ -139,7 +139,7 @@ class Rooms(Sequence[_core.Room]):
         """A page with the plan and a list to search and to sort; it loads nothing else."""
         return self._core.to_html(self.lines._core, self._complex)
 
-    @cached_property
+    @cached
     def _table(self) -> _core.Table:
         return self._core.table(self.lines._core, self._complex, 0)
 

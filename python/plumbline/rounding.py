@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plumbline import _core
+from plumbline._cached import cached
 from plumbline._progress import Progress, told
 from plumbline.arrangement import Arrangement
 from plumbline.errors import Error
@@ -72,22 +72,22 @@ class RoundedArrangement(Arrangement):
         """Whether `vertices`, the decimals as nearest doubles, are valid, too."""
         return self._rounding.valid_as_doubles
 
-    @cached_property
+    @cached
     def vertex_image(self) -> NDArray[np.uint32]:
         """Per exact vertex the vertex that it went to."""
         return self._rounding.vertex_image()
 
-    @cached_property
+    @cached
     def edge_image(self) -> Lists:
         """Per exact edge the halfedges that it became, from tail to head; none: it vanished."""
         return Lists(*self._rounding.edge_image())
 
-    @cached_property
+    @cached
     def face_origin(self) -> NDArray[np.uint32]:
         """Per face the exact face that it is, or is a part of."""
         return self._rounding.face_origin()
 
-    @cached_property
+    @cached
     def changes(self) -> _core.RoundingChanges:
         """What moved, merged, bent, vanished and fell into parts, cell by cell."""
         return _core.rounding_changes(self.exact._core, self._rounding)

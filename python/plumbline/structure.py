@@ -6,12 +6,12 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from typing import Any, Union
 
 import numpy as np
 
 from plumbline import _core
+from plumbline._cached import cached
 from plumbline._numbers import Numbers
 from plumbline._reading import Reading
 from plumbline._tree import plural, title, tree_rows
@@ -115,7 +115,7 @@ class Struct:
     def __getitem__(self, i: int) -> BodyItem:
         return self.body[i]
 
-    @cached_property
+    @cached
     def structure(self) -> Structure:
         """It and all that it refers to, with what can be asked of that."""
         if self._owner is not None:

@@ -147,10 +147,10 @@ def _format(path: str, format: str | None) -> str:
 def refuse_to_overwrite(x: Any, path: str) -> None:
     """An Error where this is the file of the drawing that `x` was made of."""
     source = getattr(x, "_patched", None)
-    read_from = getattr(source, "_read_from", None)
-    if read_from and os.path.exists(path) and os.path.exists(read_from[0]):
-        if os.path.samefile(path, read_from[0]):
-            raise Error(f"this would overwrite the drawing that was read: {path!r}")
+    read_from: Any = getattr(source, "_read_from", None)
+    are_there = read_from and os.path.exists(path) and os.path.exists(read_from[0])
+    if are_there and os.path.samefile(path, read_from[0]):
+        raise Error(f"this would overwrite the drawing that was read: {path!r}")
 
 
 def _refusal(what: str, format: str, known: Sequence[str]) -> Error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -76,3 +77,22 @@ def test_threads_give_the_same() -> None:
 
     with ThreadPoolExecutor(4) as threads:
         assert list(threads.map(work, drawings)) == [work(rows) for rows in drawings]
+
+
+def test_a_cached_value_is_computed_beside_another_one_and_kept_once() -> None:
+    from plumbline._cached import cached
+
+    both = threading.Barrier(2, timeout=5)
+
+    class Slow:
+        @cached
+        def value(self) -> object:
+            """Waits until it is computed for another instance, too."""
+            both.wait()
+            return object()
+
+    slow = [Slow(), Slow()]
+    with ThreadPoolExecutor(2) as pool:
+        values = list(pool.map(lambda one: one.value, slow))
+    assert [one.value for one in slow] == values
+    assert Slow.value.__doc__ == "Waits until it is computed for another instance, too."
