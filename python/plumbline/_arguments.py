@@ -7,9 +7,12 @@ from typing import Any
 from plumbline import _core
 from plumbline._numbers import Numbers
 from plumbline._progress import Progress
+from plumbline._whole import count, threads_of
 from plumbline.arrangement import Arrangement, arrange
 from plumbline.errors import Error
 from plumbline.lines import LinesLike
+
+__all__ = ["arrangement_of", "count", "ensure_none", "threads_of", "written_table"]
 
 
 def arrangement_of(
@@ -39,19 +42,3 @@ def written_table(table: _core.Table, format: str, what: str) -> str:
     if format not in formats:
         raise Error(f"{what} is written as json, pictures or {', '.join(formats)}: {format!r}")
     return table.written(format)
-
-
-def count(value: Any, what: str) -> int:
-    """A number of things."""
-    if isinstance(value, bool) or not hasattr(value, "__index__") or value.__index__() < 0:
-        raise Error(f"{what} is a number of things: {value!r}")
-    return int(value.__index__())
-
-
-def threads_of(value: int | None) -> int:
-    """How many threads the library is told: 0 for as many as there are cores."""
-    if value is None:
-        return 0
-    if count(value, "threads") == 0:
-        raise Error(f"threads are at least 1, or None for as many as there are cores: {value!r}")
-    return value

@@ -97,8 +97,10 @@ def as_geometries(values: Any) -> NDArray[object_] | None:
         return np.asarray(values.geometry.array, dtype=object)
     if hasattr(values, "dtype") and str(values.dtype) == "geometry":  # GeometryArray
         return np.asarray(values, dtype=object)
+    if hasattr(values, "dtype") and values.dtype == object and hasattr(values, "to_numpy"):
+        values = values.to_numpy()  # a Series
     if isinstance(values, (list, tuple)) or (
-        isinstance(values, np.ndarray) and values.dtype == object
+        isinstance(values, np.ndarray) and values.dtype == object and values.ndim == 1
     ):
         flat = np.empty(len(values), dtype=object)
         flat[:] = list(values)

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from plumbline import _core
 from plumbline._geometries import as_geometries
+from plumbline._json import dumped, loaded
 from plumbline._numbers import exact_text
 from plumbline.arrangement import Arrangement
-from plumbline.errors import Error
-
-_WKT = ("POINT", "LINESTRING", "LINEARRING", "POLYGON", "MULTI", "GEOMETRYC", "SRID=")
+from plumbline.errors import Error, FileError
+from plumbline.lines import ensure_utf8, feature_of, is_of_mappings, is_wkt
 
 
 def answer_of_result(result: Any) -> _core.Answer:
@@ -32,6 +32,8 @@ def answer_of_result(result: Any) -> _core.Answer:
         return _core.read_result(os.fspath(result))
     if isinstance(result, str):
         return _of_text(result)
+    if hasattr(result, "__next__"):
+        result = list(result)
     geometries = as_geometries(result)
     if geometries is not None:
         return _of_geometries(geometries, getattr(result, "index", None))
@@ -39,6 +41,9 @@ def answer_of_result(result: Any) -> _core.Answer:
         return _of_mapping(result.__geo_interface__)
     if isinstance(result, Mapping):
         return _of_mapping(result)
+    if is_of_mappings(result):
+        features = [feature_of(value) for value in result]
+        return _of_mapping({"type": "FeatureCollection", "features": features})
     if isinstance(result, tuple) and len(result) in (2, 3):
         return _of_cells(*result)
     if isinstance(result, (list, np.ndarray)):
@@ -50,21 +55,22 @@ def answer_of_result(result: Any) -> _core.Answer:
 
 
 def _of_text(text: str) -> _core.Answer:
-    start = text.lstrip()[:40]
-    if start.startswith("{"):
-        try:
-            mapping = json.loads(text)
-        except ValueError as error:
-            raise Error(f"a result that is no JSON: {error}") from None
-        return _of_mapping(mapping, text)
-    if start.upper().startswith(_WKT) and ("(" in text or "EMPTY" in text.upper()):
-        return _core.read_result_text("wkt", text, "<wkt>")
-    return _core.read_result(text)
+    if os.path.exists(text):
+        return _core.read_result(text)
+    if text.lstrip()[:1] == "{":
+        mapping = loaded(text, "a result")
+        return _of_mapping(mapping, ensure_utf8(text))
+    if is_wkt(text):
+        return _core.read_result_text("wkt", ensure_utf8(text), "<wkt>")
+    raise FileError(
+        f"there is no such file, and this is no WKT, GeoJSON or LAR model: {text!r:.60}",
+        text=text[:60],
+    )
 
 
 def _of_mapping(mapping: Mapping[str, Any], text: str | None = None) -> _core.Answer:
     if text is None:
-        text = json.dumps(mapping, default=_plain)
+        text = dumped(mapping, _plain)
     if "V" in mapping:
         return _core.read_result_text("lar", text, "<LAR model>")
     if "type" not in mapping:

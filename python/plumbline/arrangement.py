@@ -12,10 +12,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from plumbline import _core
 from plumbline._cached import cached
-from plumbline._numbers import Number, Numbers, exact_text
+from plumbline._crs import ensure_same_crs
+from plumbline._numbers import Number, Numbers, ensure_unmasked, in_doubles
 from plumbline._progress import Progress, told
+from plumbline._whole import threads_of, whole
 from plumbline.errors import Error
-from plumbline.lines import ExactPoint, Lines, LinesLike, lines
+from plumbline.lines import (
+    ExactPoint,
+    Lines,
+    LinesLike,
+    are_beyond_doubles,
+    lines,
+    point_texts,
+)
 from plumbline.lists import Lists
 from plumbline.points import Points
 
@@ -101,7 +110,9 @@ class Arrangement:
     def antennas(self) -> NDArray[np.intp]:
         """Edges with the same face on both sides: dangling ones and bridges."""
         left = self.halfedge_face
-        return np.flatnonzero(left[0::2] == left[1::2])
+        edges = np.flatnonzero(left[0::2] == left[1::2])
+        edges.flags.writeable = False
+        return edges
 
     # Faces.
 
@@ -162,9 +173,9 @@ class Arrangement:
         return self._core.area_doubles()
 
     @cached
-    def areas(self) -> list[Fraction]:
+    def areas(self) -> tuple[Fraction, ...]:
         """The same, exactly."""
-        return self._core.face_areas()
+        return tuple(self._core.face_areas())
 
     @cached
     def perimeter(self) -> NDArray[np.float64]:
@@ -176,9 +187,10 @@ class Arrangement:
         return self._core.interior_point(self._bounded(face))
 
     def _bounded(self, face: int) -> int:
-        if not 0 < face <= len(self):
+        number = whole(face, "a face")
+        if not 0 < number <= len(self):
             raise Error(f"bounded faces are 1 to {len(self)}: {face}")
-        return face
+        return number
 
     # In LAR's words.
 
@@ -425,19 +437,27 @@ class Arrangement:
 
         Parameters
         ----------
-        points : array (n, 2) of floats, or a sequence of exact points
-            Of a point on an edge or a vertex, a face that has it on its boundary.
+        points : array (n, 2), or a sequence of points (x, y); one point alone
+            Arrays hold doubles or integers, which are taken as they are. In a sequence numbers are
+            exact, and floats stand for what those of the drawing do. Of a point on an edge or a
+            vertex, a face that has it on its boundary.
+
+        Returns
+        -------
+        ndarray of uint32, (n,)
+
+        Raises
+        ------
+        Error
+            For an array of another shape, and coordinates that are no finite numbers.
         """
-        if isinstance(points, np.ndarray) and points.dtype != object:
-            coords = np.ascontiguousarray(points.reshape(-1, 2), dtype=np.float64)
-            if not np.isfinite(coords).all():
-                raise Error("points have finite coordinates")
-            return self._core.locate_points(coords)
-        chosen = self.lines.numbers
-        exact: Any = points
-        faces = [
-            self._core.locate((exact_text(x, chosen), exact_text(y, chosen))) for x, y in exact
-        ]
+        values: Any = points
+        if isinstance(values, np.ndarray) and values.dtype != object:
+            coords = _doubles_of_points(values)
+            if coords is not None:
+                return self._core.locate_points(coords)
+            values = values.reshape(-1, 2).tolist()
+        faces = [self._core.locate(point) for point in point_texts(values, self.lines.numbers)]
         return np.array(faces, dtype=np.uint32)
 
     def __eq__(self, other: object) -> bool:
@@ -458,6 +478,24 @@ class Arrangement:
             f"<Arrangement: {n.vertices} vertices, {n.edges} edges, {n.faces - 1} bounded faces; "
             f"floats as {self.lines.numbers}>"
         )
+
+
+def _doubles_of_points(array: NDArray[Any]) -> NDArray[np.float64] | None:
+    """Points (n, 2) as doubles; None for integers that are none."""
+    if array.shape != (2,) and (array.ndim != 2 or array.shape[1] != 2):
+        raise Error(f"points are an array (n, 2), or (2,) of one: {array.shape}")
+    if array.dtype.kind not in "iuf":
+        raise Error(f"an array of numbers is needed: {array.dtype}")
+    if are_beyond_doubles(array):
+        return None
+    try:
+        ensure_unmasked(array)
+        coords = in_doubles(array.reshape(-1, 2), None)
+    except ValueError as error:
+        raise Error(str(error)) from None
+    if not np.isfinite(coords).all():
+        raise Error("points have finite coordinates")
+    return coords
 
 
 def _csc(parts: tuple[Any, Any, Any, Any]) -> scipy.sparse.csc_array:
@@ -496,7 +534,8 @@ def arrange(
     exact_engine : {"bucket", "cgal"}
         Both give the same; CGAL's sweep is the slower reference.
     threads : int, optional
-        At most so many; by default as many as there are cores. Does not change the result.
+        At most so many; by default, and for 0, as many as there are cores. Does not change the
+        result.
     progress : bool or function, optional
         True for a bar of tqdm; a function is told which part is done, from 0 to 1. Ctrl-C ends
         the work in any case.
@@ -534,9 +573,10 @@ def arrange(
     """
     if exact_engine not in ("bucket", "cgal"):
         raise Error(f'exact engines are "bucket" and "cgal": {exact_engine!r}')
+    most = threads_of(threads)
     of = lines(lines_like, numbers=numbers, points=points, ids=ids)
     with told(progress, "arranging") as callback:
-        core = _core.arrange(of._core, exact_engine == "cgal", threads or 0, callback)
+        core = _core.arrange(of._core, exact_engine == "cgal", most, callback)
     return Arrangement(core, of, _labels(lines_like))
 
 
@@ -556,6 +596,11 @@ def same(a: Arrangement | LinesLike, b: Arrangement | LinesLike) -> bool:
     """Whether two arrangements, or those of two pieces of line work, are the same subdivision of
     the plane, to the last digit.
 
+    Raises
+    ------
+    Error
+        Where both have reference systems, and different ones; as `arrange`.
+
     Examples
     --------
     >>> import plumbline
@@ -564,10 +609,14 @@ def same(a: Arrangement | LinesLike, b: Arrangement | LinesLike) -> bool:
     >>> plumbline.same([(0, 0, 2, 0)], [(2, 0, 0, 0), (0, 0, 2, 0)])
     True
     """
-    return signature(a) == signature(b)
+    ensure_same_crs(a, b)
+    one, other = (x if isinstance(x, Arrangement) else arrange(x) for x in (a, b))
+    ensure_same_crs(one, other)
+    return one.signature == other.signature
 
 
-def validate(x: Arrangement) -> list[_core.Violation]:
-    """What is not true of an arrangement as a cellular complex and as a cover of its lines, by code
-    that is independent of what made it: nothing, unless this library is broken."""
-    return x._violations()
+def validate(x: Arrangement | LinesLike) -> list[_core.Violation]:
+    """What is not true of an arrangement, or of that of line work, as a cellular complex and as a
+    cover of its lines, by code that is independent of what made it: nothing, unless this library
+    is broken."""
+    return (x if isinstance(x, Arrangement) else arrange(x))._violations()

@@ -16,6 +16,7 @@ from plumbline._arguments import (
 )
 from plumbline._cached import cached
 from plumbline._core import Answer, Cause, ChangedFaces, Finding, FindingGroup, RightRadii
+from plumbline._crs import ensure_same_crs
 from plumbline._notebook import framed
 from plumbline._numbers import Number, Numbers, exact_text
 from plumbline._progress import Progress, told
@@ -285,7 +286,8 @@ def check(
     Raises
     ------
     Error
-        Where nothing is drawn, so that there is nothing to agree about; for what is no result,
+        Where nothing is drawn, so that there is nothing to agree about; where both have reference
+        systems, and different ones; for what is no result,
         indices out of range, coordinates that are not finite; from what an engine raised.
 
     Notes
@@ -311,7 +313,9 @@ def check(
     False
     """
     within, count = _tolerance(tolerance), threads_of(threads)
+    ensure_same_crs(result, drawing)
     exact = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads))
+    ensure_same_crs(result, exact)
     if callable(result) and not isinstance(result, Arrangement):
         answer = _answer_of_function(result, exact.lines)
     else:

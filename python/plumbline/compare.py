@@ -5,6 +5,7 @@ from __future__ import annotations
 from plumbline import _core
 from plumbline._arguments import arrangement_of
 from plumbline._core import Comparison, Finding
+from plumbline._crs import ensure_same_crs
 from plumbline._numbers import Number
 from plumbline._sizes import nearest_size
 from plumbline.arrangement import Arrangement
@@ -33,7 +34,8 @@ def compare(
     Raises
     ------
     Error
-        For a negative tolerance; as `arrange`.
+        For a negative tolerance; where both have reference systems, and different ones; as
+        `arrange`.
 
     See Also
     --------
@@ -55,4 +57,7 @@ def compare(
     ('vertex', 'moved', 0.001)
     """
     within = nearest_size("the tolerance", tolerance)
-    return _core.compare(arrangement_of(a)._core, arrangement_of(b)._core, within)
+    ensure_same_crs(a, b)
+    one, other = arrangement_of(a), arrangement_of(b)
+    ensure_same_crs(one, other)
+    return _core.compare(one._core, other._core, within)

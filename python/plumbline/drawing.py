@@ -113,6 +113,8 @@ def read(
         For what is no such file, with line, column and text; FileError where it cannot be read.
     """
     options = _core.ReadOptions()
+    if not isinstance(format, str):
+        raise Error(f"a format is one of the endings: {format!r}")
     options.format = format
     if flatten is not None:
         options.chord_tolerance = exact_text(flatten)

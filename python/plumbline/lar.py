@@ -16,6 +16,7 @@ LinearAlgebraicRepresentation.jl. Variants:
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -26,6 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from plumbline import _core
 from plumbline._numbers import Number, Numbers, exact_text
+from plumbline._whole import count, threads_of, whole
 from plumbline.arrangement import arrange as exact_arrangement
 from plumbline.drawing import read
 from plumbline.errors import Error, FileError
@@ -655,17 +657,18 @@ def larCuboids(shape: Sequence[int], full: bool = False) -> LarModel:
 # Lines at random, and Julia's conventions.
 
 
-def random_lines(n: int, scaling: float = 0.3, seed: int = 0) -> Floats:
+def random_lines(n: int, scaling: Number = 0.1, seed: int = 1) -> Floats:
     """n random segments, (n, 4): differences of random points of the unit square, scaled, about
     random points, moved to where the least coordinates are 0.
 
     Parameters
     ----------
     n : int
-    scaling : float
+    scaling : number
         Of the lengths.
     seed : int
-        Determines them, on every machine; 0 to 2^64 - 1.
+        Determines them, on every machine; 0 to 2^64 - 1. All three as ``plumbline random`` has
+        them.
 
     Notes
     -----
@@ -677,13 +680,14 @@ def random_lines(n: int, scaling: float = 0.3, seed: int = 0) -> Floats:
     >>> plumbline.random_lines(100, seed=7).shape
     (100, 4)
     """
-    if n < 0 or not 0 <= seed < 2**64:
-        raise Error(f"a count, and a seed of 0 to 2^64 - 1, are needed: {n}, {seed}")
-    return _core.random_lines(n, float(scaling), seed)
+    n, seed = count(n, "n"), count(seed, "the seed")
+    if seed >= 2**64:
+        raise Error(f"a seed of 0 to 2^64 - 1 is needed: {seed}")
+    return _core.random_lines(n, _double(scaling), seed)
 
 
-def randomLines(numberOfLines: int = 200, scaling: float = 0.3, seed: int = 0) -> Floats:
-    """LAR's name for `random_lines`."""
+def randomLines(numberOfLines: int = 200, scaling: Number = 0.3, seed: int = 1) -> Floats:
+    """LAR's name for `random_lines`, with LAR's number and scaling."""
     return random_lines(numberOfLines, scaling, seed)
 
 
@@ -725,16 +729,18 @@ def from_julia(
 def _run_repaired(
     of: Lines, radius: Radius, decimals: int, unit_square: bool, threads: int | None
 ) -> _core.LarResult:
-    if decimals != _DECIMALS:
+    if whole(decimals, "decimals") != _DECIMALS:
         raise Error(f"decimals are the published variant's; this one has doubles: {decimals}")
     core = _core.lar_unit_square(of._core) if unit_square else of._core
-    return _core.lar_arrange(core, _radius(core, radius), threads or 0)
+    return _core.lar_arrange(core, _radius(core, radius), threads_of(threads))
 
 
 def _run_published(
     of: Lines, radius: float, decimals: int, unit_square: bool, threads: int | None
 ) -> _core.IntersTrace:
-    return _core.inters_run(of._core, decimals, radius, unit_square, threads or 0)
+    return _core.inters_run(
+        of._core, whole(decimals, "decimals"), radius, unit_square, threads_of(threads)
+    )
 
 
 def _published_radius(of: Lines, radius: Radius, unit_square: bool) -> float:
@@ -754,10 +760,12 @@ def _radius(core: _core.SegmentSet, radius: Radius) -> float | None:
 def _double(value: Number) -> float:
     """The nearest double of a number."""
     try:
-        text = exact_text(value)
+        nearest = _core.nearest_double(exact_text(value))
     except ValueError as error:
         raise Error(str(error)) from None
-    return float(_core.Affine.scaling([text]).entries()[0])
+    if not math.isfinite(nearest):
+        raise Error(f"a number that doubles can hold is needed: {value!r:.60}")
+    return nearest
 
 
 def _ensure_exact(radius: Radius, decimals: int) -> None:

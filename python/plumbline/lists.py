@@ -12,13 +12,6 @@ from numpy.typing import NDArray
 class Lists(Sequence[NDArray[np.uint32]]):
     """A list of lists of indices, stored flat, as the rows of a SciPy CSR matrix or an Arrow list.
 
-    Attributes
-    ----------
-    indptr : ndarray of uint32, (n + 1,)
-        Where each list starts in `indices`, and where the last one ends. Read-only.
-    indices : ndarray of uint32
-        All lists one after the other. Read-only.
-
     Examples
     --------
     >>> import plumbline
@@ -29,11 +22,21 @@ class Lists(Sequence[NDArray[np.uint32]]):
     2
     """
 
-    __slots__ = ("indices", "indptr")
+    __slots__ = ("_indices", "_indptr")
 
     def __init__(self, indptr: NDArray[np.uint32], indices: NDArray[np.uint32]) -> None:
-        self.indptr = indptr
-        self.indices = indices
+        self._indptr = indptr
+        self._indices = indices
+
+    @property
+    def indptr(self) -> NDArray[np.uint32]:
+        """Where each list starts in `indices`, and where the last one ends. (n + 1,), read-only."""
+        return self._indptr
+
+    @property
+    def indices(self) -> NDArray[np.uint32]:
+        """All lists one after the other. Read-only."""
+        return self._indices
 
     def __len__(self) -> int:
         return len(self.indptr) - 1
@@ -45,15 +48,48 @@ class Lists(Sequence[NDArray[np.uint32]]):
     def __getitem__(self, i: int | slice) -> NDArray[np.uint32] | list[NDArray[np.uint32]]:
         if isinstance(i, slice):
             return [self[k] for k in range(*i.indices(len(self)))]
-        if i < 0:
-            i += len(self)
-        if not 0 <= i < len(self):
+        k = int(i.__index__())
+        if k < 0:
+            k += len(self)
+        if not 0 <= k < len(self):
             raise IndexError("there are fewer lists")
-        return self.indices[self.indptr[i] : self.indptr[i + 1]]
+        return self.indices[self.indptr[k] : self.indptr[k + 1]]
 
     def __iter__(self) -> Iterator[NDArray[np.uint32]]:
         for i in range(len(self)):
             yield self[i]
+
+    def __contains__(self, value: object) -> bool:
+        """Whether one of them is this list."""
+        return self.count(value) > 0
+
+    def count(self, value: Any) -> int:
+        """How many of them are this list."""
+        return len(self._positions(value))
+
+    def index(self, value: Any, start: int = 0, stop: int | None = None) -> int:
+        """The position of the first that is this list.
+
+        Raises
+        ------
+        ValueError
+            Where there is none.
+        """
+        among = range(len(self))[start:stop]
+        for i in self._positions(value):
+            if i in among:
+                return i
+        raise ValueError(f"no such list: {value!r:.60}")
+
+    def _positions(self, value: Any) -> list[int]:
+        try:
+            wanted = np.asarray(value)
+        except ValueError:
+            return []
+        if wanted.ndim != 1:
+            return []
+        there = np.flatnonzero(self.lengths == len(wanted)).tolist()
+        return [i for i in there if np.array_equal(self[i], wanted)]
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Lists):

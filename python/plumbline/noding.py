@@ -13,6 +13,7 @@ from plumbline._cached import cached
 from plumbline._geometries import as_geometries
 from plumbline._numbers import Numbers
 from plumbline._optional import needed
+from plumbline._warnings import warn_of_loss
 from plumbline.arrangement import arrange
 from plumbline.errors import Error
 from plumbline.exports import rows_of
@@ -31,21 +32,22 @@ class Sourced(Sequence[Any]):
     Attributes
     ----------
     geometries : ndarray of object
-        Shapely's geometries.
+        Shapely's geometries. Read-only.
     sources : Lists
         Per geometry the items, ascending: positions in the input; where that is a single
         collection, in its parts.
-    geometry : MultiLineString or GeometryCollection
-        All in one, as shapely's function returns it.
     """
 
     def __init__(self, geometries: NDArray[np.object_], sources: Lists, kind: str) -> None:
-        self.geometries = geometries
+        self.geometries = geometries.view()
+        self.geometries.flags.writeable = False
         self.sources = sources
         self._kind = kind
 
     @cached
     def geometry(self) -> Any:
+        """All in one, as shapely's function returns it: a MultiLineString or a
+        GeometryCollection."""
         shapely = needed("shapely")
         return getattr(shapely, self._kind)(self.geometries)
 
@@ -268,6 +270,16 @@ def curves_of(geometries: NDArray[np.object_]) -> tuple[NDArray[np.object_], NDA
     return curves[order], item[order]
 
 
+def curves_that_are_not_finite(curves: NDArray[np.object_]) -> NDArray[np.bool_]:
+    """Which have coordinates that are no finite numbers."""
+    import shapely
+
+    coords, curve = shapely.get_coordinates(curves, return_index=True)
+    result = np.zeros(len(curves), dtype=bool)
+    result[curve[~np.isfinite(coords).all(axis=1)]] = True
+    return result
+
+
 class _Net:
     """Line work, arranged and rounded, as lines between nodes: the halfedges of the rounded
     arrangement in the order and the directions of the input."""
@@ -431,7 +443,14 @@ def _of_noded(
     import shapely
 
     curves, item = curves_of(geometries)
-    there = shapely.length(curves) > 0
+    wrong = curves_that_are_not_finite(curves)
+    if wrong.any():
+        count = "one line takes" if wrong.sum() == 1 else f"{wrong.sum()} lines take"
+        first = item[np.flatnonzero(wrong)[0]]
+        warn_of_loss(
+            f"{count} no part; the first, of geometry {first}: coordinate is not a finite number"
+        )
+    there = ~wrong & (shapely.length(curves) > 0)
     curves, item = curves[there], item[there]
     ends = np.concatenate([shapely.get_point(curves, 0), shapely.get_point(curves, -1)])
     _, point = np.unique(shapely.get_coordinates(ends), axis=0, return_inverse=True)

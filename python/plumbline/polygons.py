@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plumbline import _core
+from plumbline._arguments import arrangement_of
 from plumbline._optional import needed
-
-if TYPE_CHECKING:
-    from plumbline.arrangement import Arrangement
+from plumbline.arrangement import Arrangement
+from plumbline.lines import LinesLike
 
 
 @dataclass(frozen=True)
@@ -68,12 +68,12 @@ class Triangles(NamedTuple):
     """The face of each, (T,)."""
 
 
-def triangulate(arrangement: Arrangement, face: int | None = None) -> Triangles:
+def triangulate(arrangement: Arrangement | LinesLike, face: int | None = None) -> Triangles:
     """Triangles that fill bounded faces: constrained Delaunay triangulations, exactly.
 
     Parameters
     ----------
-    arrangement : Arrangement
+    arrangement : Arrangement, or line work as `arrange` takes it
     face : int, optional
         Of this bounded face alone; by default of all.
 
@@ -94,5 +94,6 @@ def triangulate(arrangement: Arrangement, face: int | None = None) -> Triangles:
     >>> plumbline.triangulate(square).vertices.tolist()
     [[0, 2, 1], [1, 2, 3]]
     """
-    chosen = None if face is None else arrangement._bounded(face)
-    return Triangles(*_core.triangulate(arrangement._core, chosen))
+    of = arrangement_of(arrangement)
+    chosen = None if face is None else of._bounded(face)
+    return Triangles(*_core.triangulate(of._core, chosen))

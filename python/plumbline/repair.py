@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, Union
 
 from plumbline import _core
 from plumbline._cached import cached
+from plumbline._json import dumped
 from plumbline._notebook import drawn, framed
 from plumbline._numbers import Number, Numbers
 from plumbline._sizes import names, size_text
@@ -18,7 +18,7 @@ from plumbline._tables import to_geodataframe
 from plumbline._warnings import warn_of_loss
 from plumbline.arrangement import Arrangement, arrange
 from plumbline.errors import Error
-from plumbline.lines import Lines, LinesLike, lines
+from plumbline.lines import Lines, LinesLike, ensure_utf8, lines
 from plumbline.lists import Lists
 from plumbline.write import refuse_to_overwrite
 
@@ -319,6 +319,8 @@ def _write(
 ) -> None:
     file = os.fspath(path)
     refuse_to_overwrite(what, file)
+    if not isinstance(format, str) and format is not None:
+        raise Error(f"a format is a name: {format!r}")
     chosen = format or os.path.splitext(file)[1].lstrip(".").lower()
     text = what._written(chosen, **options)
     _core.write_file(file, text.encode() if isinstance(text, str) else text)
@@ -523,9 +525,11 @@ def _log_of(log: Repair | str | os.PathLike[str] | Mapping[str, Any]) -> _core.R
     if isinstance(log, Repair):
         return _core.repair_log(log.input._core, log._core)
     if isinstance(log, Mapping):
-        return _log_of_text(json.dumps(log))
-    if isinstance(log, str) and log.lstrip().startswith("{"):
-        return _log_of_text(log)
+        return _log_of_text(dumped(log))
+    if isinstance(log, str) and log.lstrip().startswith("{") and not os.path.exists(log):
+        return _log_of_text(ensure_utf8(log))
+    if not isinstance(log, (str, os.PathLike)):
+        raise Error(f"a log is a Repair, a path, a text or a mapping: {type(log).__name__}")
     return _core.read_repair_log(os.fspath(log))
 
 

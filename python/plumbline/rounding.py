@@ -9,10 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plumbline import _core
+from plumbline._arguments import arrangement_of
 from plumbline._cached import cached
 from plumbline._progress import Progress, told
+from plumbline._whole import decimals_of
 from plumbline.arrangement import Arrangement
-from plumbline.errors import Error
+from plumbline.lines import LinesLike
 from plumbline.lists import Lists
 
 
@@ -123,7 +125,10 @@ def _rounded(exact: Arrangement, decimals: int | None) -> RoundedArrangement:
 
 
 def snap_round(
-    arrangement: Arrangement, *, decimals: int | None = None, progress: Progress = None
+    arrangement: Arrangement | LinesLike,
+    *,
+    decimals: int | None = None,
+    progress: Progress = None,
 ) -> RoundedArrangement:
     """The arrangement with rounded coordinates that are proven to be a valid one.
 
@@ -133,7 +138,7 @@ def snap_round(
 
     Parameters
     ----------
-    arrangement : Arrangement
+    arrangement : Arrangement, or line work as `arrange` takes it
         Of a rounded one, what it was made of is rounded.
     decimals : int, optional
         0 to 18; by default doubles.
@@ -167,11 +172,8 @@ def snap_round(
     >>> coarse.method, len(coarse.changes.bent_edges)
     ('snap rounded', 1)
     """
-    exact = arrangement.exact if isinstance(arrangement, RoundedArrangement) else arrangement
-    if decimals is not None and (isinstance(decimals, bool) or not isinstance(decimals, int)):
-        raise Error(f"decimals are a whole number: {decimals!r}")
-    if decimals is not None and not 0 <= decimals <= 18:
-        raise Error(f"decimals are 0 to 18: {decimals}")
+    decimals = decimals_of(decimals)
+    exact = arrangement_of(arrangement).exact
     with told(progress, "rounding") as callback:
         rounding = _core.safely_rounded(exact._core, decimals, 0, callback)
     return RoundedArrangement(rounding, exact, decimals)

@@ -122,13 +122,13 @@ def write(
     elif _is_frame(x):
         content = _frame_text(x, chosen, options)
     else:
-        raise Error(f"results of this package are written: {type(x).__name__}")
+        raise Error(f"results of this package, and GeoDataFrames, are written: {type(x).__name__}")
     _core.write_file(name, content.encode() if isinstance(content, str) else content)
 
 
 def _format(path: str, format: str | None) -> str:
     if format is not None:
-        if format.lower() not in _ENDINGS:
+        if not isinstance(format, str) or format.lower() not in _ENDINGS:
             raise Error(f"formats are {', '.join(_ENDINGS)}: {format!r}")
         return format.lower()
     lower = path.lower()
@@ -210,7 +210,7 @@ def _lines_text(lines: Lines, format: str, decimals: int | None = None, cells: C
 
 
 def _is_frame(x: Any) -> bool:
-    return hasattr(x, "geometry") and hasattr(x, "crs") and hasattr(x, "to_file")
+    return hasattr(x, "geometry") and hasattr(x, "columns") and hasattr(x, "to_file")
 
 
 def _frame_text(frame: Any, format: str, options: dict[str, Any]) -> bytes:

@@ -182,3 +182,12 @@ def test_results_are_taken_by_shapely_and_geopandas() -> None:
     assert pickle.loads(pickle.dumps(noded)) == noded
     for nothing in ([], np.array([], dtype=object), geopandas.GeoSeries([]), [None]):
         assert plumbline.polygonize(nothing).is_empty
+
+
+@pytest.mark.parametrize("infinite", [float("nan"), float("inf")])
+def test_noded_lines_that_are_not_finite_are_warned_of(infinite: float) -> None:
+    with np.errstate(invalid="ignore"):
+        lines = [shapely.box(0, 0, 1, 1), shapely.LineString([(0, 0), (infinite, 1)])]
+    with pytest.warns(plumbline.LossWarning, match="geometry 1: coordinate is not a finite number"):
+        polygons, cuts, dangles, _ = plumbline.polygonize_full(lines, noded=True)
+    assert (len(polygons), len(cuts), len(dangles)) == (1, 0, 0)

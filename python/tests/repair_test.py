@@ -184,7 +184,7 @@ def test_a_door_is_closed_by_a_virtual_line() -> None:
     virtual = closed.to_geopandas("lines").query("virtual == 1")
     assert virtual["layer"].tolist() == ["plumbline-virtual"]
     assert virtual.geometry.length.tolist() == pytest.approx([0.9])
-    assert closed.after.areas[1:] == [36, 36]
+    assert closed.after.areas[1:] == (Fraction(36), Fraction(36))
     assert [change.before for change in closed.changes] == [[]]
 
 
