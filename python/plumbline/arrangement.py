@@ -537,8 +537,8 @@ def arrange(
         At most so many; by default, and for 0, as many as there are cores. Does not change the
         result.
     progress : bool or function, optional
-        True for a bar of tqdm; a function is told which part is done, from 0 to 1. Ctrl-C ends
-        the work in any case.
+        True for a bar of tqdm; a function is told which part is done, from 0 to 1. The engine
+        "bucket" alone tells; Ctrl-C ends its work, with or without `progress`.
 
     Returns
     -------
@@ -547,7 +547,12 @@ def arrange(
     Raises
     ------
     Error
-        As `lines`; LimitError for coordinates beyond 8.7e99 and 2^31 crossings or more.
+        As `lines`; LimitError for 2^31 crossings or more.
+
+    Warns
+    -----
+    LossWarning
+        As `lines`: what has coordinates beyond 8.7e99, or not finite, takes no part.
 
     Notes
     -----

@@ -267,9 +267,11 @@ def check(
     numbers : {"doubles", "decimals"}, optional
         What floats of the drawing stand for, as in `lines`.
     threads : int, optional
-        At most so many. Does not change the result.
+        At most so many; by default, and for 0, as many as there are cores. Does not change the
+        result.
     progress : bool or function, optional
-        As in `arrange`. Ctrl-C ends the work in any case.
+        A bar, or a function that is told which part of the advice is given, from 0 to 1. Ctrl-C
+        ends the arrangement of the drawing and the advice, with or without `progress`.
 
     Returns
     -------

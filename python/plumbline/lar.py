@@ -160,7 +160,7 @@ def arrange(
     trace : bool
         Whether the output of every stage is in the result.
     threads : int, optional
-        At most so many; does not change the result.
+        As in `plumbline.arrange`.
 
     Returns
     -------

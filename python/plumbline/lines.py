@@ -210,8 +210,8 @@ def lines(
     Warns
     -----
     LossWarning
-        Where something that looks like lines takes no part: coordinates that are not finite,
-        elements that a reader does not understand.
+        Where something that looks like lines takes no part: coordinates that are not finite, or
+        beyond 8.7e99; elements that a reader does not understand.
 
     Raises
     ------

@@ -403,8 +403,8 @@ def repair(
 
     Notes
     -----
-    Some times the cost of `arrange`. What each operation does, what is promised and how tolerances
-    are chosen is in docs/repair.md.
+    Some times the cost of `arrange`. Ctrl-C ends it between two steps. What each operation does,
+    what is promised and how tolerances are chosen is in docs/repair.md.
 
     Examples
     --------

@@ -293,7 +293,7 @@ def rooms(
     numbers : {"doubles", "decimals"}, optional
         What floats stand for, as in `lines`.
     threads : int, optional
-        At most so many; does not change the result.
+        As in `plumbline.arrange`.
     progress : bool or function, optional
         As in `arrange`.
 

@@ -263,6 +263,15 @@ def test_random_lines_are_the_same_for_a_seed() -> None:
     assert lar.randomLines(numberOfLines=7).shape == (7, 4)
 
 
+def test_random_lines_are_those_of_the_tool() -> None:
+    # plumbline random 3
+    assert plumbline.random_lines(3).tolist() == [
+        [0.2504, 0.389, 0.2822, 0.37739999999999996],
+        [0, 0, 0.009800000000000003, 0.05600000000000005],
+        [0.2259, 0.27359999999999995, 0.18879999999999997, 0.2764],
+    ]
+
+
 def test_results_can_be_pickled() -> None:
     result = lar.arrange(ROOM)
     again = pickle.loads(pickle.dumps(result))

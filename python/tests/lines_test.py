@@ -119,7 +119,7 @@ def test_what_is_not_finite_is_listed_whatever_stands_beside_it(
 
 @pytest.mark.parametrize("dtype", [np.float16, np.float32])
 def test_short_floats_are_the_decimals_that_they_print_as(dtype: type) -> None:
-    rows = np.array([[0.1, 0, 1, 1]], dtype=dtype)
+    rows: Any = np.array([[0.1, 0, 1, 1]], dtype=dtype)
     for values in (rows, list(rows), [tuple(rows[0])]):
         assert plumbline.lines(values, numbers="decimals").exact(0)[0][0] == Fraction(1, 10)
         doubles = plumbline.lines(values, numbers="doubles")

@@ -12,6 +12,18 @@ NOTEBOOKS = sorted((ROOT / "python" / "docs" / "notebooks").glob("*.md"))
 CELL = re.compile(r"^```\{code-cell\} python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
+@pytest.mark.parametrize("name", ["rooms", "lar", "polygonize", "engines"])
+def test_the_first_cell_finds_the_repository_above_it(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = ROOT / "python" / "docs" / "notebooks"
+    monkeypatch.delenv("PLUMBLINE_ROOT", raising=False)
+    monkeypatch.chdir(folder)
+    names: dict[str, object] = {}
+    exec(CELL.findall((folder / f"{name}.md").read_text())[0], names)
+    assert names["root"] == ROOT
+
+
 @pytest.mark.parametrize(
     "notebook", [n for n in NOTEBOOKS if n.stem != "index"], ids=lambda n: n.stem
 )
