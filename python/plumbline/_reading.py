@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from plumbline import _core
+from plumbline.errors import Error
 
 _OPTIONS = (
     "format",
@@ -33,29 +34,45 @@ class Reading:
     options: _core.ReadOptions
 
     @classmethod
-    def of_file(cls, path: str | os.PathLike[str], options: _core.ReadOptions) -> Reading:
-        return cls(os.fspath(path), Path(path).read_bytes(), options)
-
-    def again(self) -> _core.Structure | None:
-        """The structure, read again of the bytes; None where they are no text."""
-        format = self.options.format or os.path.splitext(self.path)[1].lower().lstrip(".")
-        content = self.content
-        if format == "wkb":
-            return _core.read_wkb(content, self.path, self.options)
+    def of_file(cls, path: str | os.PathLike[str], options: _core.ReadOptions) -> Reading | None:
+        """Of a file; None for a pipe, which can be read once."""
+        if not os.path.isfile(path):
+            return None
         try:
-            if format == "svgz":
-                format, content = "svg", gzip.decompress(content)
-            return _core.read_text(format, content.decode(), self.path, self.options)
-        except (UnicodeDecodeError, OSError, EOFError):
+            return cls(os.fspath(path), Path(path).read_bytes(), options)
+        except OSError:
             return None
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        options = [getattr(self.options, name) for name in _OPTIONS]
-        return _reading, (self.path, self.content, options)
+    def state(self, structure: _core.Structure) -> tuple[Any, ...] | None:
+        """What `structure_read` makes the structure of again; None where it would be another."""
+        format = self.options.format or os.path.splitext(self.path)[1].lower().lstrip(".")
+        for known in ("json", "geojson", "struct") if format == "json" else (format,):
+            try:
+                if self.again(known) == structure:
+                    options = [getattr(self.options, name) for name in _OPTIONS]
+                    return self.path, self.content, options, known
+            except (Error, UnicodeDecodeError, OSError, EOFError):
+                continue
+        return None
+
+    def again(self, format: str) -> _core.Structure:
+        """The structure, read again of the bytes in this format."""
+        if format == "wkb":
+            return _core.read_wkb(self.content, self.path, self.options)
+        content = gzip.decompress(self.content) if format == "svgz" else self.content
+        text = content.decode()
+        if format == "struct":
+            return _core.Structure.of_json(text, self.path)
+        name = "svg" if format == "svgz" else format
+        return _core.read_text(name, text, self.path, self.options)
 
 
-def _reading(path: str, content: bytes, values: list[Any]) -> Reading:
+def structure_read(
+    path: str, content: bytes, values: list[Any], format: str
+) -> tuple[_core.Structure, Reading]:
+    """Of the state of a reading: the structure, and the reading."""
     options = _core.ReadOptions()
     for name, value in zip(_OPTIONS, values):
         setattr(options, name, str(value) if isinstance(value, Fraction) else value)
-    return Reading(path, content, options)
+    reading = Reading(path, content, options)
+    return reading.again(format), reading

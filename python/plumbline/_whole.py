@@ -7,6 +7,7 @@ from typing import Any
 from plumbline.errors import Error
 
 _MOST_THREADS = 1 << 16
+_MOST = (1 << 63) - 1
 
 
 def whole(value: Any, what: str) -> int:
@@ -20,11 +21,16 @@ def whole(value: Any, what: str) -> int:
 
 
 def count(value: Any, what: str) -> int:
-    """A number of things."""
+    """A number of things, or one that is larger than any that there are."""
     number = whole(value, what)
     if number < 0:
         raise Error(f"{what} is a number of things, 0 or more: {value!r:.60}")
-    return number
+    return min(number, _MOST)
+
+
+def optional_count(value: int | None, what: str) -> int | None:
+    """The same, None for None."""
+    return None if value is None else count(value, what)
 
 
 def threads_of(value: int | None) -> int:

@@ -24,6 +24,7 @@ from plumbline._results import answer_of_result
 from plumbline._sizes import nearest_size
 from plumbline._tables import to_geodataframe
 from plumbline._warnings import warn_of_loss
+from plumbline._whole import optional_count
 from plumbline.arrangement import Arrangement
 from plumbline.drawing import Drawing
 from plumbline.errors import Error
@@ -180,7 +181,7 @@ class Check:
         listed : int, optional
             So many groups, with their findings. By default as many groups as fit on a screen.
         """
-        return self._core.to_text(listed)
+        return self._core.to_text(optional_count(listed, "listed"))
 
     def to_json(self) -> str:
         """All findings, as JSON: what ``plumbline check --output`` writes."""

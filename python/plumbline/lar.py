@@ -680,8 +680,8 @@ def random_lines(n: int, scaling: Number = 0.1, seed: int = 1) -> Floats:
     >>> plumbline.random_lines(100, seed=7).shape
     (100, 4)
     """
-    n, seed = count(n, "n"), count(seed, "the seed")
-    if seed >= 2**64:
+    n, seed = count(n, "n"), whole(seed, "the seed")
+    if not 0 <= seed < 2**64:
         raise Error(f"a seed of 0 to 2^64 - 1 is needed: {seed}")
     return _core.random_lines(n, _double(scaling), seed)
 

@@ -290,7 +290,10 @@ def _lines_of(
     if is_of_mappings(values):
         return _of_mappings(values, numbers, ids, layers)
     if hasattr(values, "__array__") and not isinstance(values, (list, tuple)):
-        return _of_array(np.asarray(values), numbers, ids, layers)
+        array = np.asarray(values)
+        if array.dtype != object:
+            return _of_array(array, numbers, ids, layers)
+        values = array.tolist()
     return _of_sequence(values, numbers, ids, layers)
 
 

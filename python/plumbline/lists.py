@@ -9,6 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 
+def _read_only(array: NDArray[np.uint32]) -> NDArray[np.uint32]:
+    if not array.flags.writeable:
+        return array
+    view = array.view()
+    view.flags.writeable = False
+    return view
+
+
 class Lists(Sequence[NDArray[np.uint32]]):
     """A list of lists of indices, stored flat, as the rows of a SciPy CSR matrix or an Arrow list.
 
@@ -25,8 +33,8 @@ class Lists(Sequence[NDArray[np.uint32]]):
     __slots__ = ("_indices", "_indptr")
 
     def __init__(self, indptr: NDArray[np.uint32], indices: NDArray[np.uint32]) -> None:
-        self._indptr = indptr
-        self._indices = indices
+        self._indptr = _read_only(indptr)
+        self._indices = _read_only(indices)
 
     @property
     def indptr(self) -> NDArray[np.uint32]:

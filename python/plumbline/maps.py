@@ -129,7 +129,7 @@ class Map:
     @property
     def matrix(self) -> NDArray[np.float64]:
         """The same, correctly rounded, (d + 1, d + 1): larlib's Mat."""
-        return np.array([[float(x) for x in row] for row in self.exact])
+        return np.array([[_core.nearest_double(str(x)) for x in row] for row in self.exact])
 
     def __matmul__(self, inner: Map) -> Map:
         """The map that does `inner` first. Rotations by degrees are added, and only their sum is

@@ -16,6 +16,7 @@ from plumbline._numbers import Number, Numbers
 from plumbline._sizes import names, size_text
 from plumbline._tables import to_geodataframe
 from plumbline._warnings import warn_of_loss
+from plumbline._whole import optional_count
 from plumbline.arrangement import Arrangement, arrange
 from plumbline.errors import Error
 from plumbline.lines import Lines, LinesLike, ensure_utf8, lines
@@ -153,7 +154,7 @@ class Repair:
     def to_text(self, listed: int | None = None) -> str:
         """Tolerances and why, then the edits that do most to faces, `listed` of them or as many as
         fit on a screen; what was refused."""
-        return self._core.to_text(self.input._core, listed)
+        return self._core.to_text(self.input._core, optional_count(listed, "listed"))
 
     def to_json(self) -> str:
         """The log, which `undo` takes: tolerances, edits, faces, what was refused."""
@@ -255,7 +256,7 @@ class Undone(Lines):
 
     def __init__(self, core: _core.SegmentSet, repaired: Lines) -> None:
         super().__init__(core, repaired.numbers)
-        self._repaired: Lines | None = repaired
+        self._repaired = repaired
 
     def write(self, path: str | os.PathLike[str], *, format: str | None = None) -> None:
         """Writes the drawing, as `Repair.write` does, into the file of the repaired one."""
@@ -264,15 +265,18 @@ class Undone(Lines):
     @property
     def _patched(self) -> Lines:
         """The drawing whose file is written with changes."""
-        return self._repaired or self
+        return self._repaired
 
     def _written(self, format: str, **options: Any) -> str | bytes:
         _ensure_none(options)
         return _drawing_text(format, self._patched, self)
 
-    def __setstate__(self, state: tuple[_core.SegmentSet, Numbers]) -> None:
-        super().__setstate__(state)
-        self._repaired = None
+    def __getstate__(self) -> tuple[Any, ...]:
+        return (*super().__getstate__(), self._repaired)
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        core, numbers, self._repaired = state
+        super().__setstate__((core, numbers))
 
 
 def _is_decimal(value: Fraction) -> bool:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 from plumbline import _core
-from plumbline._arguments import threads_of
 from plumbline._cached import cached
 from plumbline._joined import joined_arrangement
 from plumbline._notebook import drawn, framed
@@ -15,6 +14,7 @@ from plumbline._numbers import Number, Numbers
 from plumbline._progress import Progress
 from plumbline._sizes import Unit, names, optional_size, unit_of
 from plumbline._tables import to_geodataframe
+from plumbline._whole import optional_count, threads_of
 from plumbline.arrangement import Arrangement, arrange
 from plumbline.errors import Error
 from plumbline.lines import Lines, LinesLike, lines
@@ -125,7 +125,7 @@ class Rooms(Sequence[_core.Room]):
 
     def to_text(self, listed: int | None = None) -> str:
         """A table: the largest rooms, `listed` of them, or as many as fit on a screen."""
-        return self._core.to_text(self.lines._core, listed)
+        return self._core.to_text(self.lines._core, optional_count(listed, "listed"))
 
     def to_json(self) -> str:
         """All of it as JSON, as docs/rooms.schema.json describes it."""

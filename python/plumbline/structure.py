@@ -13,7 +13,7 @@ import numpy as np
 from plumbline import _core
 from plumbline._cached import cached
 from plumbline._numbers import Numbers
-from plumbline._reading import Reading
+from plumbline._reading import Reading, structure_read
 from plumbline._tree import plural, title, tree_rows
 from plumbline.errors import Error
 from plumbline.lines import Lines, _warn_of_losses
@@ -346,12 +346,13 @@ class Structure:
         """What it was made of: the file's bytes, or Structs."""
         if isinstance(self._made_by, tuple):
             return self._made_by
-        if self._made_by is None or self._made_by.again() != self._core:
+        state = None if self._made_by is None else self._made_by.state(self._core)
+        if state is None:
             raise TypeError(
-                "this Structure cannot be pickled so that it stays the same: its file is no text "
-                "in UTF-8, or has changed while it was read; pickle what evaluate() gives"
+                "this Structure cannot be pickled so that it stays the same, as that of a file in "
+                "another encoding than UTF-8, or of a pipe: pickle the Lines that evaluate() gives"
             )
-        return _structure_read, (self._made_by,)
+        return _structure_read, state
 
     def __str__(self) -> str:
         return self.tree(lines=_SHOWN)
@@ -526,11 +527,8 @@ def _structure_of(struct: Struct) -> Structure:
     return struct.structure
 
 
-def _structure_read(reading: Reading) -> Structure:
-    core = reading.again()
-    if core is None:
-        raise Error(f"this is no text in UTF-8: {reading.path!r}")
-    return Structure(core, reading)
+def _structure_read(*state: Any) -> Structure:
+    return Structure(*structure_read(*state))
 
 
 def _struct_of(owner: Structure, number: int) -> Struct:

@@ -173,6 +173,21 @@ def test_formats_are_names(tmp_path: Path) -> None:
             call(5)
 
 
+def test_counts_may_be_large_and_are_not_negative() -> None:
+    assert plumbline.diagnose(SQUARE, most_listed=2**70).defects == []
+    assert len(plumbline.ladder(SQUARE, max_steps=2**70)) > 0
+    results: list[Any] = [
+        plumbline.rooms(SQUARE),
+        plumbline.repair(SQUARE),
+        plumbline.cross_check(SQUARE),
+    ]
+    for result in results:
+        assert result.to_text(2**70)
+        for wrong in (-1, 1.5, "1"):
+            with pytest.raises(plumbline.Error, match="listed"):
+                result.to_text(wrong)
+
+
 def test_a_series_is_no_table(tmp_path: Path) -> None:
     series = geopandas.GeoSeries([shapely.Point(0, 0)])
     for ending in ("geojson", "gpkg", "parquet", "svg"):
@@ -221,6 +236,10 @@ def test_what_is_kept_cannot_be_changed() -> None:
     sourced = plumbline.polygonize(SQUARE)
     with pytest.raises(ValueError, match="read-only"):
         sourced.geometries[0] = None
+    for lists in (a.cycles, sourced.sources):
+        for array in (lists.indptr, lists.indices, lists[0]):
+            with pytest.raises(ValueError, match="read-only"):
+                array[0] = 0
     cycles: Any = a.cycles
     with pytest.raises(AttributeError):
         cycles.indices = cycles.indptr

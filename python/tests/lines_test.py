@@ -39,6 +39,16 @@ def test_text_is_what_is_written_unless_doubles_are_asked_for() -> None:
     assert plumbline.lines(text, numbers="doubles").exact(0)[0][0] == TENTH
 
 
+def test_arrays_of_objects_are_taken_exactly() -> None:
+    third = Fraction(1, 3)
+    for shape in ((1, 4), (1, 2, 2)):
+        rows = np.array([0, third, "0.1", 1], dtype=object).reshape(shape)
+        assert plumbline.lines(rows).exact(0) == (
+            (Fraction(0), third),
+            (Fraction(1, 10), Fraction(1)),
+        )
+
+
 def test_large_integers_are_not_rounded() -> None:
     n = 2**60 + 1
     assert plumbline.lines(np.array([[n, 0, 0, 1]])).exact(0)[0][0] == n

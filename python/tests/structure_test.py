@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import pickle
 import sys
+import threading
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -386,6 +388,29 @@ def test_pickled_structs_and_structures_of_them_are_the_same(examples: Path) -> 
     assert again.structure == struct.structure
     for one in (struct.structure, struct.structure.of_category("chair")):
         assert pickle.loads(pickle.dumps(one)) == one
+
+
+def test_what_was_saved_and_read_can_be_pickled(tmp_path: Path) -> None:
+    path = tmp_path / "saved.json"
+    Struct([t(1, 0), SQUARE], "a").structure.save(path)
+    for structure in (plumbline.read(path).structure, Structure.read(path)):
+        assert pickle.loads(pickle.dumps(structure)) == structure
+
+
+def test_a_matrix_beyond_the_doubles_is_infinite() -> None:
+    assert t("1e400", "-1e400").matrix[:2, 2].tolist() == [math.inf, -math.inf]
+
+
+def test_a_pipe_is_read_once(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe.wkt"
+    os.mkfifo(pipe)
+    writer = threading.Thread(target=pipe.write_text, args=("LINESTRING (0 0, 1 1)",))
+    writer.start()
+    drawing = plumbline.read(pipe)
+    writer.join()
+    assert len(drawing) == 1
+    with pytest.raises(TypeError, match="pipe"):
+        pickle.dumps(drawing)
 
 
 def test_what_cannot_be_pickled_as_it_is_says_so(tmp_path: Path) -> None:
