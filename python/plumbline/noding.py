@@ -285,6 +285,7 @@ class _Net:
     arrangement in the order and the directions of the input."""
 
     def __init__(self, values: LinesLike, numbers: Numbers | None) -> None:
+        values = list(values) if hasattr(values, "__next__") else values
         geometries = _geometries(values)
         if geometries is None:
             self.arrangement = arrange(values, numbers=numbers)
@@ -437,7 +438,7 @@ def _of_noded(
     values: LinesLike, numbers: Numbers | None
 ) -> tuple[Sourced, Sourced, Sourced, Sourced]:
     """`polygonize_full` of lines that are joined at their ends alone."""
-    geometries = _geometries(values)
+    geometries = _geometries(list(values) if hasattr(values, "__next__") else values)
     if geometries is None:
         raise Error(f"noded lines are geometries: {type(values).__name__}")
     import shapely

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import pickle
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import plumbline
 import pytest
 import shapely
@@ -191,3 +193,18 @@ def test_noded_lines_that_are_not_finite_are_warned_of(infinite: float) -> None:
     with pytest.warns(plumbline.LossWarning, match="geometry 1: coordinate is not a finite number"):
         polygons, cuts, dangles, _ = plumbline.polygonize_full(lines, noded=True)
     assert (len(polygons), len(cuts), len(dangles)) == (1, 0, 0)
+
+
+def test_geometries_in_generators_and_series_are_those_in_lists() -> None:
+    boxes = [shapely.box(0, 0, 2, 2), shapely.box(1, 1, 3, 3)]
+    functions: list[Callable[[Any], plumbline.Sourced]] = [
+        plumbline.node,
+        plumbline.polygonize,
+        lambda values: plumbline.polygonize_full(values)[0],
+        lambda values: plumbline.polygonize_full(values, noded=True)[0],
+    ]
+    for function in functions:
+        one = boxes[:1]
+        assert function(box for box in one) == function(one)
+        assert function(pd.Series(one)) == function(one)
+    assert plumbline.node(box for box in boxes) == plumbline.node(boxes)
