@@ -143,7 +143,8 @@ def snap_round(
     decimals : int, optional
         0 to 18; by default doubles.
     progress : bool or function, optional
-        As in `arrange`; told of the second half of the work, in which Ctrl-C ends it.
+        As in `arrange`; told of snap rounding alone, of the arrangement in it, during which Ctrl-C
+        ends the work.
 
     Returns
     -------
