@@ -27,44 +27,46 @@ _OPTIONS = (
 
 @dataclass(frozen=True)
 class Reading:
-    """A file as it was read: its name, its bytes, and how it was read."""
+    """A file as it was read: its name, and how it was read; of what was pickled its bytes."""
 
     path: str
-    content: bytes
     options: _core.ReadOptions
+    content: bytes | None = None
 
     @classmethod
     def of_file(cls, path: str | os.PathLike[str], options: _core.ReadOptions) -> Reading | None:
         """Of a file; None for a pipe, which can be read once."""
-        if not os.path.isfile(path):
-            return None
-        try:
-            return cls(os.fspath(path), Path(path).read_bytes(), options)
-        except OSError:
-            return None
+        return cls(os.fspath(path), options) if os.path.isfile(path) else None
+
+    def _bytes(self) -> bytes:
+        return Path(self.path).read_bytes() if self.content is None else self.content
 
     def state(self, structure: _core.Structure) -> tuple[Any, ...] | None:
-        """What `structure_read` makes the structure of again; None where it would be another."""
+        """What `structure_read` makes the structure of again; None where it would be another, as
+        where the file is no longer what it was."""
         format = self.options.format or os.path.splitext(self.path)[1].lower().lstrip(".")
+        try:
+            content = self._bytes()
+        except OSError:
+            return None
         for known in ("json", "geojson", "struct") if format == "json" else (format,):
             try:
-                if self.again(known) == structure:
+                if self.again(known, content) == structure:
                     options = [getattr(self.options, name) for name in _OPTIONS]
-                    return self.path, self.content, options, known
+                    return self.path, content, options, known
             except (Error, UnicodeDecodeError, OSError, EOFError):
                 continue
         return None
 
-    def again(self, format: str) -> _core.Structure:
+    def again(self, format: str, content: bytes) -> _core.Structure:
         """The structure, read again of the bytes in this format."""
         if format == "wkb":
-            return _core.read_wkb(self.content, self.path, self.options)
-        content = gzip.decompress(self.content) if format == "svgz" else self.content
-        text = content.decode()
+            return _core.read_wkb(content, self.path, self.options)
         if format == "struct":
-            return _core.Structure.of_json(text, self.path)
-        name = "svg" if format == "svgz" else format
-        return _core.read_text(name, text, self.path, self.options)
+            return _core.Structure.of_json(content.decode(), self.path)
+        if format == "svgz":
+            return _core.read_text("svg", gzip.decompress(content), self.path, self.options)
+        return _core.read_text(format, content, self.path, self.options)
 
 
 def structure_read(
@@ -74,5 +76,5 @@ def structure_read(
     options = _core.ReadOptions()
     for name, value in zip(_OPTIONS, values):
         setattr(options, name, str(value) if isinstance(value, Fraction) else value)
-    reading = Reading(path, content, options)
-    return reading.again(format), reading
+    reading = Reading(path, options, content)
+    return reading.again(format, content), reading

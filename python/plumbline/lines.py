@@ -384,10 +384,12 @@ def _of_text(text: str, numbers: Numbers | None) -> Lines:
         return read(text, numbers=numbers or "decimals")
     options = _core.ReadOptions()
     if text.lstrip()[:1] == "{":
-        structure = _core.read_text("geojson", ensure_utf8(text), "<geojson>", options)
+        structure = _core.read_text("geojson", ensure_utf8(text).encode(), "<geojson>", options)
         return _evaluated(structure, numbers)
     if is_wkt(text):
-        return _evaluated(_core.read_text("wkt", ensure_utf8(text), "<wkt>", options), numbers)
+        return _evaluated(
+            _core.read_text("wkt", ensure_utf8(text).encode(), "<wkt>", options), numbers
+        )
     raise FileError(
         f"there is no such file, and this is no WKT and no GeoJSON: {text!r:.60}",
         text=text[:60],
@@ -396,7 +398,7 @@ def _of_text(text: str, numbers: Numbers | None) -> Lines:
 
 def _of_mapping(mapping: Mapping[str, Any], numbers: Numbers | None) -> Lines:
     text = dumped(mapping, lambda array: np.asarray(array).tolist())
-    structure = _core.read_text("geojson", text, "<geometry>", _core.ReadOptions())
+    structure = _core.read_text("geojson", text.encode(), "<geometry>", _core.ReadOptions())
     return _evaluated(structure, numbers or "doubles")
 
 

@@ -50,10 +50,13 @@ void bind_read(nb::module_& m) {
       nb::arg("file"), nb::arg("options"), nb::call_guard<nb::gil_scoped_release>());
   m.def(
       "read_text",
-      [](std::string_view format, std::string_view text, const std::string& name,
-         const ReadOptions& options) { return read_as(format, text, name, options); },
-      nb::arg("format"), nb::arg("text"), nb::arg("name"), nb::arg("options"),
-      nb::call_guard<nb::gil_scoped_release>());
+      [](std::string_view format, const nb::bytes& bytes, const std::string& name,
+         const ReadOptions& options) {
+        const std::string_view text(bytes.c_str(), bytes.size());
+        const nb::gil_scoped_release release;
+        return read_as(format, text, name, options);
+      },
+      nb::arg("format"), nb::arg("text"), nb::arg("name"), nb::arg("options"));
   m.def(
       "read_wkb",
       [](const nb::bytes& bytes, const std::string& name, const ReadOptions& options) {
