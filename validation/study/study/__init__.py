@@ -1,0 +1,1 @@
+"""The robustness study: engines held against exact arrangements. docs/study.md has the method."""
