@@ -1,0 +1,190 @@
+"""What an answer is, held against a truth: one of nine outcomes, exclusive, in this order.
+
+Loud, where the engine itself says that something is wrong: *error*, *crash*, *timeout*, *memory*.
+Silently wrong: *invalid*, where the answer by itself is no complex (edges cross, faces overlap or
+leave gaps); *topology*, where it is one, but another one. Right: *moved*, the same cells with
+vertices further away than doubles need; *identical*.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import plumbline
+from plumbline import Arrangement, Check, Finding
+
+from study.engines import Configuration, Reply
+from study.families import Case, largest_coordinate
+from study.truths import Numbers, Truths
+
+LOUD = ("error", "crash", "timeout", "memory")
+SILENT = ("invalid", "topology")
+RIGHT = ("moved", "identical")
+OUTCOMES = (*LOUD, *SILENT, *RIGHT)
+
+_GRAVEST_FIRST = {
+    ("face", "missing"): "face lost",
+    ("face", "extra"): "face invented",
+    ("face", "merged"): "faces merged",
+    ("face", "split"): "face split",
+    ("face", "wrong parent"): "wrong parent",
+    ("hole", "wrong parent"): "wrong parent",
+    ("hole", "missing"): "hole lost",
+    ("hole", "extra"): "hole invented",
+    ("edge", "missing"): "edge missing",
+    ("edge", "extra"): "edge extra",
+    ("vertex", "missing"): "vertex missing",
+    ("vertex", "extra"): "vertex extra",
+    ("vertex", "merged"): "vertices merged",
+    ("vertex", "split"): "vertex split",
+    ("edge", "merged"): "edges merged",
+    ("edge", "split"): "edge split",
+}
+_IDENTICAL = 2.0**-51  # of the largest coordinate: two units in its last place
+_SHARE, _OF_LARGEST = 1e-9, 2.0**-46  # the tolerance that `plumbline.check` has by itself
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """Of one answer and one truth."""
+
+    outcome: str
+    kind: str = ""
+    """Of an error its class; of what is invalid the broken invariant; of another topology the
+    gravest difference."""
+    all_kinds: str = ""
+    """All of them with their numbers."""
+    vertices: int = -1
+    edges: int = -1
+    faces: int = -1
+    """Of the answer, bounded ones; -1 where there is none."""
+    faces_wrong: int = 0
+    area: float = 0.0
+    """Of the symmetric difference of faces that correspond and do not agree."""
+    displacement: float = 0.0
+    tolerance: float = 0.0
+    message: str = ""
+
+
+def judge(
+    reply: Reply, truth: Arrangement | Numbers, tolerance: float, largest: float
+) -> Judgement:
+    """`largest` coordinate of the drawing: what rounding is measured by."""
+    if reply.ending != "model":
+        kind = reply.message.partition(":")[0]
+        return Judgement(reply.ending, kind, message=reply.message[:300])
+    assert reply.model is not None
+    if isinstance(truth, Numbers):
+        return _judge_numbers(reply.model, truth)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", plumbline.LossWarning)
+            check = plumbline.check(reply.model, truth, tolerance=tolerance, threads=1)
+    except plumbline.Error as error:
+        return Judgement("invalid", "unreadable", message=str(error)[:300])
+    return _judged(check, reply.model, largest)
+
+
+def tolerance_of(case: Case, name: str, of: Configuration) -> float:
+    """Within which vertices of an answer match those of a truth: what the engine may move, what
+    rounding moved of what was meant, and no less than `plumbline.check` has by itself."""
+    own = _own_tolerance(case)
+    if name == "contract":
+        # On the grid's own points; a neighbour of the right one does not match.
+        return max(of.tolerance / 4, _OF_LARGEST * largest_coordinate(case))
+    return max(own, of.tolerance, 4 * _rounding(case) if name == "intended" else 0.0)
+
+
+def judgements(
+    case: Case, truths: Truths, of: Configuration, reply: Reply, names: Iterable[str]
+) -> dict[str, Judgement]:
+    """Of all truths that there are for this drawing and this engine."""
+    found: dict[str, Judgement] = {}
+    largest = largest_coordinate(case)
+    for name in names:
+        truth = truths.of(name, of)
+        if truth is not None:
+            found[name] = judge(reply, truth, tolerance_of(case, name, of), largest)
+    return found
+
+
+def _judged(check: Check, model: dict[str, Any], largest: float) -> Judgement:
+    findings = check.findings
+    wrong = [f for f in findings if f.disagreement not in ("moved", "reshaped", "invalid")]
+    invalid = [f for f in findings if f.disagreement == "invalid"]
+    displacement = check.largest_displacement
+    for f in findings:
+        if f.disagreement == "moved":
+            displacement = max(displacement, f.distance or 0.0)
+    if invalid or (not check and not findings):
+        outcome, kind = "invalid", str(invalid[0].invariant) if invalid else "unreadable"
+    elif wrong:
+        outcome, kind = "topology", _gravest(wrong)
+    else:
+        is_moved = bool(findings) or displacement > _IDENTICAL * largest
+        outcome, kind = "moved" if is_moved else "identical", ""
+    counts = Counter(f"{f.kind} {f.disagreement}" for f in findings)
+    areas = [f.area for f in findings if f.area is not None]
+    return Judgement(
+        outcome,
+        kind,
+        ", ".join(f"{name} {n}" for name, n in sorted(counts.items())),
+        check.answer_counts.vertices,
+        check.answer_counts.edges,
+        check.answer_counts.faces - 1 if "polygons" in model else -1,
+        _faces_wrong(wrong),
+        float(sum(areas, Fraction(0))),
+        displacement,
+        check.tolerance,
+    )
+
+
+def _gravest(wrong: list[Finding]) -> str:
+    kinds = {(f.kind, f.disagreement) for f in wrong}
+    named = [name for kind, name in _GRAVEST_FIRST.items() if kind in kinds]
+    return named[0] if named else " ".join(min(kinds))
+
+
+def _faces_wrong(wrong: list[Finding]) -> int:
+    """Exact faces that are not there as they should be, and faces that should not be there."""
+    exact: set[int] = set()
+    extra = 0
+    for f in wrong:
+        if f.kind == "face":
+            exact.update(f.exact_cells)
+            extra += f.disagreement == "extra"
+    return len(exact - {0}) + extra
+
+
+def _judge_numbers(model: dict[str, Any], truth: Numbers) -> Judgement:
+    vertices = len({v for edge in model["EV"] for v in edge})
+    edges, faces = len(model["EV"]), len(model["polygons"]) if "polygons" in model else -1
+    same = (vertices, edges) == (truth.vertices, truth.edges)
+    same = same and faces in (-1, truth.faces - 1)
+    # Numbers say nothing of places: the better word is not theirs to give.
+    kind = "" if same else "numbers of cells"
+    return Judgement("moved" if same else "topology", kind, "", vertices, edges, faces)
+
+
+def _own_tolerance(case: Case) -> float:
+    if not case.segments:
+        return 0.0
+    x = [c for s in case.segments for c in (s[0], s[2])]
+    y = [c for s in case.segments for c in (s[1], s[3])]
+    side = max(max(x) - min(x), max(y) - min(y))
+    return max(_SHARE * side, _OF_LARGEST * largest_coordinate(case))
+
+
+def _rounding(case: Case) -> float:
+    """How far what was meant is from what was authored, at most."""
+    if case.intended is None or len(case.intended) != len(case.authored):
+        return 0.0
+    pairs = zip(case.intended, case.authored)
+    off = max((abs(a - b) for s, t in pairs for a, b in zip(s, t)), default=Fraction(0))
+    return math.sqrt(2) * float(off)
