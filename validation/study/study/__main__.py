@@ -1,0 +1,155 @@
+"""Runs the study: see validation/study/run."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from multiprocessing.util import Finalize
+from pathlib import Path
+from typing import Any
+
+from study import results
+from study.engines import Limits, NotHere, listing
+from study.results import Row
+from study.schedule import FULL, QUICK, Amount, Block, blocks
+from study.work import Engine, Worker
+
+_HERE = Path(__file__).resolve().parents[1]
+_PIECE = 20_000  # rows that are written at a time
+_EVERY = 10.0  # seconds, at which progress is told
+
+_worker: Worker | None = None  # of this process
+
+
+def engines_of(folders: Sequence[Path], chosen: Sequence[str]) -> list[Engine]:
+    """All configurations of all adapters that are here; says which are not."""
+    found: list[Engine] = []
+    for program in sorted(p for folder in folders for p in folder.glob("*/adapter")):
+        if chosen and program.parent.name not in chosen:
+            continue
+        try:
+            found += [Engine(program, c) for c in listing(program)]
+        except NotHere as reason:
+            print(f"{program.parent.name}: not here: {reason}", file=sys.stderr)
+    return found
+
+
+def part_of(all_blocks: Iterator[Block], part: tuple[int, int]) -> list[Block]:
+    """Every n-th block, from the k-th on."""
+    k, n = part
+    return [block for i, block in enumerate(all_blocks) if i % n == k - 1]
+
+
+def _begin(
+    engines: list[Engine], done: set[tuple[Any, ...]], limits: Limits, both_engines: int
+) -> None:
+    global _worker
+    _worker = Worker(engines, done, limits, both_engines)
+    # Adapters are no children of this process's group: they must be ended by it.
+    Finalize(None, _worker.__exit__, exitpriority=0)
+
+
+def _rows(block: Block) -> list[Row]:
+    assert _worker
+    return _worker.rows(block)
+
+
+def run(
+    todo: Sequence[Block],
+    engines: list[Engine],
+    path: Path,
+    jobs: int,
+    limits: Limits,
+    both_engines: int,
+    until: float,
+) -> None:
+    """Does blocks in worker processes; begins none after `until`, on `time.monotonic`."""
+    done = results.units_done(results.gather(path))
+    rows: list[Row] = []
+    told = time.monotonic()
+    count = 0
+    arguments = (engines, done, limits, both_engines)
+    with ProcessPoolExecutor(jobs, initializer=_begin, initargs=arguments) as pool:
+        waiting: set[Future[list[Row]]] = set()
+        left = iter(todo)
+        try:
+            while True:
+                while len(waiting) < 2 * jobs and time.monotonic() < until:
+                    block = next(left, None)
+                    if block is None:
+                        break
+                    waiting.add(pool.submit(_rows, block))
+                if not waiting:
+                    break
+                ready, waiting = wait(waiting, return_when=FIRST_COMPLETED)
+                for future in ready:
+                    rows += future.result()
+                    count += 1
+                if len(rows) >= _PIECE:
+                    results.write_piece(path, rows)
+                    rows = []
+                if time.monotonic() > told + _EVERY:
+                    told = time.monotonic()
+                    print(f"{count} of {len(todo)} blocks", file=sys.stderr)
+        finally:
+            if rows:
+                results.write_piece(path, rows)
+    table = results.gather(path)
+    left_out = len(todo) - count
+    print(f"{len(table)} rows in {path}" + (f"; {left_out} blocks left" if left_out else ""))
+
+
+def _part(text: str) -> tuple[int, int]:
+    k, _, n = text.partition("/")
+    if not (k.isdigit() and n.isdigit() and 1 <= int(k) <= int(n)):
+        raise argparse.ArgumentTypeError(f"a part is K/N, as 1/2: {text}")
+    return int(k), int(n)
+
+
+def _arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="validation/study/run")
+    how_much = parser.add_mutually_exclusive_group()
+    how_much.add_argument("--quick", action="store_true")
+    how_much.add_argument("--full", action="store_true")
+    parser.add_argument("--engine", action="append", default=[], metavar="E")
+    parser.add_argument("--part", type=_part, default=(1, 1), metavar="K/N")
+    parser.add_argument("--seed", type=int, default=0, help="the first one")
+    parser.add_argument("--seeds", type=int, help="of each family, size and scale")
+    parser.add_argument("--minutes", type=float, default=float("inf"))
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--timeout", type=float, default=10.0, help="seconds for each case")
+    parser.add_argument("--memory", type=float, default=4.0, help="gigabytes for each engine")
+    parser.add_argument("--adapters", type=Path, action="append", default=[])
+    parser.add_argument("--drawings", type=Path, default=_HERE.parents[1] / "examples" / "data")
+    parser.add_argument("--results", type=Path, required=True)
+    return parser.parse_args()
+
+
+def main() -> int:
+    given = _arguments()
+    base = FULL if given.full else QUICK
+    amount = Amount(
+        **{
+            **base.__dict__,
+            "first_seed": given.seed,
+            "seeds": base.seeds if given.seeds is None else given.seeds,
+        }
+    )
+    engines = engines_of([_HERE / "adapters", *given.adapters], given.engine)
+    if not engines:
+        print("no engine is here", file=sys.stderr)
+        return 2
+    todo = part_of(blocks(amount, given.drawings), given.part)
+    limits = Limits(given.timeout, memory=int(given.memory * 2**30))
+    until = time.monotonic() + 60 * given.minutes
+    both = 1 if given.full else 4
+    run(todo, engines, given.results, given.jobs, limits, both, until)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
