@@ -1,0 +1,266 @@
+"""Pictures of the report, as SVG: the same bytes from the same results."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Callable
+from functools import partial
+
+import matplotlib
+
+matplotlib.use("svg")
+
+import numpy as np
+import pyarrow.compute as pc
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from study import tables
+from study.outcomes import LOUD, OUTCOMES, RIGHT, SILENT
+from study.statistics import Share
+from study.tables import Engine, Study
+
+_COLOURS = {
+    "error": "#c6c6c6",
+    "crash": "#737373",
+    "timeout": "#9e9ac8",
+    "memory": "#54278f",
+    "invalid": "#67000d",
+    "topology": "#ef6548",
+    "moved": "#9ecae1",
+    "identical": "#3182bd",
+}
+_ROW, _COLUMN = 0.34, 0.34  # inches of a heat map's cell
+_LINES = ("-", "--", ":", "-.")
+_DECADES_OF_TIME = 200  # points of a profile
+
+matplotlib.rcParams.update(
+    {
+        "svg.hashsalt": "plumbline study",
+        "svg.fonttype": "none",
+        "font.family": "sans-serif",
+        "font.size": 9,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+    }
+)
+
+
+def pictures(study: Study) -> dict[str, str]:
+    """SVG by name, of what there are results for."""
+    found: dict[str, str] = {}
+    makers: dict[str, Callable[[], Figure | None]] = {}
+    for truth in study.truths:
+        makers[f"silent_{truth}"] = partial(heat_map, study, truth)
+        makers[f"outcomes_{truth}"] = partial(taxonomy, study, truth)
+        makers[f"tolerance_{truth}"] = partial(responses, study, truth)
+        makers[f"loud_{truth}"] = partial(loud_against_silent, study, truth)
+    makers["times"] = partial(profile, study)
+    for family in ("ulp map of a tee", "ulp map of a fan"):
+        makers[family.replace(" ", "_")] = partial(ulp_map, study, family)
+    for name, make in makers.items():
+        figure = make()
+        if figure is not None:
+            found[name] = _svg(figure)
+            pyplot.close(figure)
+    return found
+
+
+def _svg(figure: Figure) -> str:
+    text = io.StringIO()
+    figure.savefig(text, format="svg", bbox_inches="tight", metadata={"Date": None})
+    # The version of matplotlib says nothing of the results.
+    return re.sub(r"(?s)<metadata>.*?</metadata>\n? *", "", text.getvalue())
+
+
+def heat_map(study: Study, truth: str) -> Figure | None:
+    """Engines and families, share of silently wrong answers; a dot: none, with the bound 3/n below
+    a hundredth; empty: no drawing."""
+    shares = tables.silent_by_family(study, truth)
+    engines = [e for e in study.engines if any(key[0] == e for key in shares)]
+    families = [f for f in study.families if any(key[1] == f for key in shares)]
+    if not engines:
+        return None
+    values = np.full((len(engines), len(families)), np.nan)
+    size = (2 + _COLUMN * len(families), 1 + _ROW * len(engines))
+    figure, axes = pyplot.subplots(figsize=size)
+    for (engine, family), share in shares.items():
+        i, j = engines.index(engine), families.index(family)
+        values[i, j] = share.value
+        text = f"{100 * share.value:.0f}" if share.k else ("·" if 3 / share.n < 0.01 else "")
+        colour = "white" if share.value > 0.5 else "black"
+        axes.text(j, i, text, ha="center", va="center", fontsize=7, color=colour)
+    image = axes.imshow(values, cmap="Reds", vmin=0, vmax=1, aspect="auto")
+    axes.set_facecolor("#e8e8e8")
+    axes.set_xticks(range(len(families)), families, rotation=60, ha="right")
+    axes.set_yticks(range(len(engines)), [study.of(e) for e in engines])
+    axes.set_title(f"Silently wrong, per cent of drawings; truth: {truth}")
+    figure.colorbar(image, ax=axes, shrink=0.8, pad=0.02)
+    return figure
+
+
+def taxonomy(study: Study, truth: str) -> Figure | None:
+    """Shares of all outcomes, a bar for each engine."""
+    numbers = tables.counts(study.fair(truth), ("algorithm", "engine", "version", "configuration"))
+    engines = [e for e in study.engines if e in numbers]
+    if not engines:
+        return None
+    figure, axes = pyplot.subplots(figsize=(8, 1 + _ROW * len(engines)))
+    left = np.zeros(len(engines))
+    for outcome in OUTCOMES:
+        widths = np.array([tables.share(numbers[e], (outcome,)).value for e in engines])
+        axes.barh(range(len(engines)), widths, left=left, color=_COLOURS[outcome], label=outcome)
+        left += widths
+    axes.set_yticks(range(len(engines)), [study.of(e) for e in engines])
+    axes.invert_yaxis()
+    axes.set_xlim(0, 1)
+    axes.set_xlabel("share of drawings")
+    axes.set_title(f"What became of the drawings; truth: {truth}")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), frameon=False)
+    return figure
+
+
+def responses(study: Study, truth: str) -> Figure | None:
+    """Share of right answers over tolerance / feature size, with Wilson bands."""
+    found = tables.responses(study, truth)
+    if not found:
+        return None
+    figure, axes = pyplot.subplots(figsize=(8, 4.5))
+    for k, (engine, decades) in enumerate(found.items()):
+        _band(axes, decades, study.of(engine), k)
+    axes.set_xlabel("tolerance / least feature of the drawing, from 10 to the power of")
+    axes.set_ylabel("share of drawings right")
+    axes.set_ylim(-0.02, 1.02)
+    axes.axvline(0, color="#888888", linewidth=0.7)
+    axes.set_title(f"Where a tolerance is right; truth: {truth}")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), frameon=False)
+    return figure
+
+
+def _band(axes: Axes, decades: dict[int, Share], label: str, k: int) -> None:
+    x = list(decades)
+    low, high = zip(*(s.interval for s in decades.values()))
+    colour, style = f"C{k % 10}", _LINES[k // 10 % len(_LINES)]
+    values = [s.value for s in decades.values()]
+    axes.plot(x, values, style, marker="o", markersize=3, color=colour, label=label)
+    axes.fill_between(x, low, high, color=colour, alpha=0.15, linewidth=0)
+
+
+def loud_against_silent(study: Study, truth: str) -> Figure | None:
+    """A point for each engine; versions of one with the same configuration are joined."""
+    numbers = tables.counts(study.fair(truth), ("algorithm", "engine", "version", "configuration"))
+    if not numbers:
+        return None
+    figure, axes = pyplot.subplots(figsize=(6, 5))
+    places: dict[tuple[str, str], list[tuple[float, float]]] = {}
+    for k, engine in enumerate(e for e in study.engines if e in numbers):
+        loud, silent = (tables.share(numbers[engine], o) for o in (LOUD, SILENT))
+        x, y = 100 * silent.value, 100 * loud.value
+        errors = [
+            [[abs(v - 100 * bound)] for bound in s.interval] for v, s in ((x, silent), (y, loud))
+        ]
+        axes.errorbar(
+            x, y, xerr=errors[0], yerr=errors[1], fmt="osD^v<>"[k // 10 % 7],
+            color=f"C{k % 10}", markersize=5, linewidth=0.7, label=study.of(engine),
+        )  # fmt: skip
+        places.setdefault((engine[0], engine[3]), []).append((x, y))
+    for points in places.values():
+        if len(points) > 1:
+            axes.plot(*zip(*points), color="#888888", linewidth=0.8, zorder=0)
+    axes.set_xlabel("silently wrong, per cent of drawings")
+    axes.set_ylabel("failed and said so, per cent")
+    axes.set_xlim(left=-1)
+    axes.set_ylim(bottom=-1)
+    axes.set_title(f"Loud and silent; truth: {truth}")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), frameon=False)
+    return figure
+
+
+def profile(study: Study) -> Figure | None:
+    """Performance profile (Dolan and More 2002): of how many drawings an engine is right within so
+    many times the best time; wrong answers count as none. Beside it time per n + K by size."""
+    found = tables.times(study)
+    if not found:
+        return None
+    best: dict[tuple[object, ...], float] = {}
+    for of in found.values():
+        for drawing, (seconds, _) in of.items():
+            best[drawing] = min(seconds, best.get(drawing, seconds))
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.5))
+    ratios = np.logspace(0, 5, _DECADES_OF_TIME)
+    for k, (engine, of) in enumerate(found.items()):
+        each = np.sort([seconds / best[drawing] for drawing, (seconds, _) in of.items()])
+        shares = np.searchsorted(each, ratios, side="right") / len(best)
+        style = {"color": f"C{k % 10}", "linestyle": _LINES[k // 10 % len(_LINES)]}
+        left.plot(ratios, shares, label=study.of(engine), **style)
+        x, y = _by_decade(of)
+        right.plot(x, y, marker="o", markersize=3, **style)
+    left.set_xscale("log")
+    left.set_xlabel("times the best engine's time")
+    left.set_ylabel("share of drawings that any engine got right")
+    left.set_ylim(0, 1.02)
+    right.set_xscale("log")
+    right.set_yscale("log")
+    right.set_xlabel("n + K: segments and vertices")
+    right.set_ylabel("median microseconds per n + K")
+    figure.legend(*left.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.92, 0.9),
+                  frameon=False)  # fmt: skip
+    return figure
+
+
+def _by_decade(of: dict[tuple[object, ...], tuple[float, int]]) -> tuple[list[float], list[float]]:
+    groups: dict[int, list[float]] = {}
+    for seconds, size in of.values():
+        half_decade = round(2 * float(np.log10(size)))
+        groups.setdefault(half_decade, []).append(1e6 * seconds / size)
+    x = sorted(groups)
+    return [10 ** (d / 2) for d in x], [float(np.median(groups[d])) for d in x]
+
+
+def ulp_map(study: Study, family: str) -> Figure | None:
+    """A tile for each engine: neighbours of an end point by outcome. In the first what is there,
+    by numbers of faces."""
+    rows = study.results.filter(pc.equal(study.results["family"], family))
+    if not len(rows):
+        return None
+    side = max(rows["size"].to_pylist())
+    rows = rows.filter(pc.equal(rows["size"], side))
+    names = ("algorithm", "engine", "version", "configuration", "seed", "outcome", "exact_faces")
+    tiles: dict[Engine, np.ndarray] = {}
+    faces = np.full((side, side), np.nan)
+    for *named, seed, outcome, exact in zip(*(rows[name].to_pylist() for name in names)):
+        tile = tiles.setdefault(tuple(named), np.full((side, side), np.nan))
+        tile[seed // side, seed % side] = OUTCOMES.index(outcome)
+        faces[seed // side, seed % side] = exact
+    order = [e for e in study.engines if e in tiles]
+    columns = min(4, len(order) + 1)
+    lines = -(-(len(order) + 1) // columns)
+    figure, grid = pyplot.subplots(lines, columns, figsize=(2.6 * columns, 2.9 * lines))
+    flat = list(np.atleast_1d(grid).flat)
+    for axes in flat:
+        axes.set_axis_off()
+    flat[0].imshow(faces, cmap="Greens", origin="lower", interpolation="nearest")
+    flat[0].set_title("exact: bounded faces\n" + _numbers(faces), fontsize=8)
+    colours = ListedColormap([_COLOURS[o] for o in OUTCOMES])
+    norm = BoundaryNorm(np.arange(len(OUTCOMES) + 1) - 0.5, len(OUTCOMES))
+    for axes, engine in zip(flat[1:], order):
+        axes.imshow(tiles[engine], cmap=colours, norm=norm, origin="lower", interpolation="nearest")
+        axes.set_title(study.of(engine).replace(": ", ":\n"), fontsize=8)
+    figure.legend(
+        handles=[Patch(color=_COLOURS[o], label=o) for o in OUTCOMES],
+        loc="lower center", ncols=len(OUTCOMES), frameon=False, bbox_to_anchor=(0.5, -0.06),
+    )  # fmt: skip
+    figure.suptitle(f"{family[0].upper()}{family[1:]}, {side} x {side} doubles", y=1.02)
+    return figure
+
+
+def _numbers(faces: np.ndarray) -> str:
+    values, counts = np.unique(faces[~np.isnan(faces)], return_counts=True)
+    return ", ".join(f"{int(v)} of {c}" for v, c in zip(values, counts))
+
+
+assert set(_COLOURS) == set(OUTCOMES) == {*LOUD, *SILENT, *RIGHT}
