@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from math import inf
 from multiprocessing.util import Finalize
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,7 @@ from study.work import Engine, Worker
 
 _HERE = Path(__file__).resolve().parents[1]
 _PIECE = 20_000  # rows that are written at a time
+_QUICK = 0.8  # minutes, so that a quick run with whatever engines takes one
 _EVERY = 10.0  # seconds, at which progress is told
 
 _worker: Worker | None = None  # of this process
@@ -119,7 +121,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--part", type=_part, default=(1, 1), metavar="K/N")
     parser.add_argument("--seed", type=int, default=0, help="the first one")
     parser.add_argument("--seeds", type=int, help="of each family, size and scale")
-    parser.add_argument("--minutes", type=float, default=float("inf"))
+    parser.add_argument("--minutes", type=float, help="begins no block later")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--timeout", type=float, default=10.0, help="seconds for each case")
     parser.add_argument("--memory", type=float, default=4.0, help="gigabytes for each engine")
@@ -145,7 +147,8 @@ def main() -> int:
         return 2
     todo = part_of(blocks(amount, given.drawings), given.part)
     limits = Limits(given.timeout, memory=int(given.memory * 2**30))
-    until = time.monotonic() + 60 * given.minutes
+    minutes = given.minutes if given.minutes is not None else (inf if given.full else _QUICK)
+    until = time.monotonic() + 60 * minutes
     both = 1 if given.full else 4
     run(todo, engines, given.results, given.jobs, limits, both, until)
     return 0

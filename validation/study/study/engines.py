@@ -235,7 +235,7 @@ class Adapter:
             is_memory = _OUT_OF_MEMORY.search(message) is not None
             return Reply("memory" if is_memory else "error", waited, message=message)
         model, seconds = answer.get("model"), answer.get("seconds", waited)
-        if not isinstance(model, dict) or "V" not in model or "EV" not in model:
+        if not isinstance(model, dict) or "V" not in model:
             raise _Broken(f"neither a model nor an error: {bytes(line[:60])!r}")
         if not isinstance(seconds, (int, float)):
             raise _Broken(f"seconds are a number: {seconds!r:.60}")

@@ -234,11 +234,12 @@ def _neighbour(value: float, steps: int) -> Fraction:
 
 
 def ulp_tee(side: int, cell: int) -> list[ExactSegment]:
-    """A triangle with two corners on a slanted line; one of these is moved by some units in the
-    last place, up to half of `side` in x and in y."""
+    """A slanted line, one that crosses it, and one that closes a triangle if it ends on the first
+    or beyond; that end is moved by some units in the last place, up to half of `side` in x and y.
+    """
     x, y = (k - side // 2 for k in (cell % side, cell // side))
     foot = (_neighbour(0.7, x), _neighbour(1.6, y))
-    far, other = (Fraction(1.7), Fraction(1.6)), (Fraction(0.4), Fraction(0.9))
+    far, other = (Fraction(1.7), Fraction(1.6)), (Fraction(0.1), Fraction(0.9))
     line = _four([Fraction(c) for c in (0.1, 0.2, 1.3, 3.0)])
     return [line, (*foot, *far), (*far, *other)]
 

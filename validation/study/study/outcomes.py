@@ -23,11 +23,6 @@ from study.engines import Configuration, Reply
 from study.families import Case, largest_coordinate
 from study.truths import Numbers, Truths
 
-LOUD = ("error", "crash", "timeout", "memory")
-SILENT = ("invalid", "topology")
-RIGHT = ("moved", "identical")
-OUTCOMES = (*LOUD, *SILENT, *RIGHT)
-
 _GRAVEST_FIRST = {
     ("face", "missing"): "face lost",
     ("face", "extra"): "face invented",
@@ -137,12 +132,27 @@ def _judged(check: Check, model: dict[str, Any], largest: float) -> Judgement:
         ", ".join(f"{name} {n}" for name, n in sorted(counts.items())),
         check.answer_counts.vertices,
         check.answer_counts.edges,
-        check.answer_counts.faces - 1 if "polygons" in model else -1,
+        faces_in(model),
         _faces_wrong(wrong),
         float(sum(areas, Fraction(0))),
         displacement,
         check.tolerance,
     )
+
+
+def edges_of(model: dict[str, Any]) -> set[tuple[int, int]]:
+    """Pairs of vertices, the lesser one first; of a model of faces alone their sides."""
+    rings = (ring for polygon in model.get("polygons", ()) for ring in polygon)
+    sides = (side for ring in rings for side in zip(ring, [*ring[1:], ring[0]]))
+    return {(min(e), max(e)) for e in model.get("EV", sides)}
+
+
+def faces_in(model: dict[str, Any]) -> int:
+    """Bounded ones; -1 where the engine says nothing of faces."""
+    for name in ("polygons", "FV"):
+        if name in model:
+            return len(model[name])
+    return -1
 
 
 def _gravest(wrong: list[Finding]) -> str:
@@ -163,8 +173,9 @@ def _faces_wrong(wrong: list[Finding]) -> int:
 
 
 def _judge_numbers(model: dict[str, Any], truth: Numbers) -> Judgement:
-    vertices = len({v for edge in model["EV"] for v in edge})
-    edges, faces = len(model["EV"]), len(model["polygons"]) if "polygons" in model else -1
+    pairs = edges_of(model)
+    vertices = len({v for edge in pairs for v in edge})
+    edges, faces = len(pairs), faces_in(model)
     same = (vertices, edges) == (truth.vertices, truth.edges)
     same = same and faces in (-1, truth.faces - 1)
     # Numbers say nothing of places: the better word is not theirs to give.

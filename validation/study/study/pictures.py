@@ -20,9 +20,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from study import tables
-from study.outcomes import LOUD, OUTCOMES, RIGHT, SILENT
 from study.statistics import Share
 from study.tables import Engine, Study
+from study.words import LOUD, OUTCOMES, RIGHT, SILENT
 
 _COLOURS = {
     "error": "#c6c6c6",
@@ -105,7 +105,7 @@ def heat_map(study: Study, truth: str) -> Figure | None:
 
 def taxonomy(study: Study, truth: str) -> Figure | None:
     """Shares of all outcomes, a bar for each engine."""
-    numbers = tables.counts(study.fair(truth), ("algorithm", "engine", "version", "configuration"))
+    numbers = tables.counts(study.fair(truth), tables.ENGINE)
     engines = [e for e in study.engines if e in numbers]
     if not engines:
         return None
@@ -152,7 +152,7 @@ def _band(axes: Axes, decades: dict[int, Share], label: str, k: int) -> None:
 
 def loud_against_silent(study: Study, truth: str) -> Figure | None:
     """A point for each engine; versions of one with the same configuration are joined."""
-    numbers = tables.counts(study.fair(truth), ("algorithm", "engine", "version", "configuration"))
+    numbers = tables.counts(study.fair(truth), tables.ENGINE)
     if not numbers:
         return None
     figure, axes = pyplot.subplots(figsize=(6, 5))
@@ -223,19 +223,21 @@ def _by_decade(of: dict[tuple[object, ...], tuple[float, int]]) -> tuple[list[fl
 
 def ulp_map(study: Study, family: str) -> Figure | None:
     """A tile for each engine: neighbours of an end point by outcome. In the first what is there,
-    by numbers of faces."""
+    by numbers of faces; grey where no answer in doubles can be right."""
     rows = study.results.filter(pc.equal(study.results["family"], family))
     if not len(rows):
         return None
     side = max(rows["size"].to_pylist())
     rows = rows.filter(pc.equal(rows["size"], side))
-    names = ("algorithm", "engine", "version", "configuration", "seed", "outcome", "exact_faces")
+    names = (*tables.ENGINE, "seed", "outcome", "exact_faces", "fits_doubles")
     tiles: dict[Engine, np.ndarray] = {}
     faces = np.full((side, side), np.nan)
-    for *named, seed, outcome, exact in zip(*(rows[name].to_pylist() for name in names)):
+    fits = np.ones((side, side), dtype=bool)
+    for *named, seed, outcome, exact, fit in zip(*(rows[name].to_pylist() for name in names)):
         tile = tiles.setdefault(tuple(named), np.full((side, side), np.nan))
         tile[seed // side, seed % side] = OUTCOMES.index(outcome)
         faces[seed // side, seed % side] = exact
+        fits[seed // side, seed % side] = fit
     order = [e for e in study.engines if e in tiles]
     columns = min(4, len(order) + 1)
     lines = -(-(len(order) + 1) // columns)
@@ -243,7 +245,12 @@ def ulp_map(study: Study, family: str) -> Figure | None:
     flat = list(np.atleast_1d(grid).flat)
     for axes in flat:
         axes.set_axis_off()
-    flat[0].imshow(faces, cmap="Greens", origin="lower", interpolation="nearest")
+    shown = np.where(fits, faces, np.nan)
+    greens = pyplot.get_cmap("Greens").with_extremes(bad="#bbbbbb")
+    least, most = np.nanmin(faces), np.nanmax(faces)
+    flat[0].imshow(
+        shown, cmap=greens, vmin=least - 1, vmax=most + 1, origin="lower", interpolation="nearest"
+    )
     flat[0].set_title("exact: bounded faces\n" + _numbers(faces), fontsize=8)
     colours = ListedColormap([_COLOURS[o] for o in OUTCOMES])
     norm = BoundaryNorm(np.arange(len(OUTCOMES) + 1) - 0.5, len(OUTCOMES))

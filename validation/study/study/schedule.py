@@ -8,7 +8,7 @@ from pathlib import Path
 
 from study import families
 from study.families import Family, Unit
-from study.truths import NAMES
+from study.words import TRUTHS
 
 _BLOCK = 25  # seeds that one worker takes at a time: some seconds of work
 _LARGE = 2000  # segments, from which on a block has a seed alone
@@ -44,7 +44,7 @@ class Block:
 
     family: Family
     units: tuple[Unit, ...]
-    truths: tuple[str, ...] = NAMES
+    truths: tuple[str, ...] = TRUTHS
 
 
 def blocks(amount: Amount, drawings: Path) -> Iterator[Block]:

@@ -11,12 +11,11 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.compute as pc
 
-from study.outcomes import LOUD, OUTCOMES, RIGHT, SILENT
 from study.statistics import Share, holm, mcnemar
-from study.truths import NAMES
+from study.words import LOUD, OUTCOMES, RIGHT, SILENT, TRUTHS
 
 _DRAWING = ("family", "size", "scale", "seed")
-_ENGINE = ("algorithm", "engine", "version", "configuration")
+ENGINE = ("algorithm", "engine", "version", "configuration")
 _FAR_BELOW, _FAR_ABOVE = -14, 3  # decades of tolerance to feature size, beyond which all is one
 
 Engine = tuple[str, str, str, str]
@@ -44,14 +43,14 @@ class Study:
 
     def _engines(self) -> dict[Engine, dict[str, Any]]:
         told = ("title", "configuration_title", "tolerance_kind", "tolerance", "source")
-        rows = self.results.group_by([*_ENGINE, *told]).aggregate([]).to_pylist()
-        keyed = {tuple(row[name] for name in _ENGINE): row for row in rows}
+        rows = self.results.group_by([*ENGINE, *told]).aggregate([]).to_pylist()
+        keyed = {tuple(row[name] for name in ENGINE): row for row in rows}
         return {key: keyed[key] for key in sorted(keyed)}
 
     @property
     def truths(self) -> list[str]:
         present = set(pc.unique(self.plain["truth"]).to_pylist())
-        return [name for name in NAMES if name in present]
+        return [name for name in TRUTHS if name in present]
 
     @property
     def families(self) -> list[str]:
@@ -92,7 +91,7 @@ def share(numbers: dict[str, int], outcomes: Iterable[str]) -> Share:
 def silent_by_family(study: Study, truth: str) -> dict[tuple[Engine, str], Share]:
     """Shares of silently wrong answers; keys are engines and families."""
     grouped: dict[tuple[Engine, str], dict[str, int]] = defaultdict(dict)
-    rows = counts(study.fair(truth), (*_ENGINE, "group", "family"))
+    rows = counts(study.fair(truth), (*ENGINE, "group", "family"))
     for key, numbers in rows.items():
         into = grouped[key[:4], family_title(*key[4:])]
         for outcome, n in numbers.items():
@@ -114,7 +113,7 @@ def family_table(study: Study, truth: str) -> Table:
 
 def overview(study: Study) -> Table:
     """A row for each engine and truth."""
-    by_truth = {t: counts(study.fair(t), _ENGINE) for t in study.truths}
+    by_truth = {t: counts(study.fair(t), ENGINE) for t in study.truths}
     rows = []
     for engine in study.engines:
         for truth in study.truths:
@@ -127,7 +126,7 @@ def overview(study: Study) -> Table:
 
 
 def outcome_table(study: Study, truth: str) -> Table:
-    numbers = counts(study.fair(truth), _ENGINE)
+    numbers = counts(study.fair(truth), ENGINE)
     rows = [
         (study.of(e), *(numbers[e].get(o, 0) for o in OUTCOMES))
         for e in study.engines
@@ -140,10 +139,10 @@ def kind_table(study: Study) -> Table:
     """Of wrong answers over the doubles the gravest difference; also where none can be right."""
     rows = study.plain.filter(pc.equal(study.plain["truth"], "doubles"))
     rows = rows.filter(pc.is_in(rows["outcome"], pa.array(SILENT)))
-    grouped = rows.group_by([*_ENGINE, "fits_doubles", "outcome", "kind"])
+    grouped = rows.group_by([*ENGINE, "fits_doubles", "outcome", "kind"])
     found = [
         (
-            study.of(tuple(r[n] for n in _ENGINE)),
+            study.of(tuple(r[n] for n in ENGINE)),
             "yes" if r["fits_doubles"] else "no",
             r["outcome"],
             r["kind"],
@@ -183,7 +182,7 @@ def differences(study: Study, truth: str = "doubles") -> Table:
     right answers, adjusted by Holm's rule over the table."""
     rows = study.fair(truth)
     right: dict[Engine, dict[tuple[Any, ...], bool]] = {}
-    names = (*_ENGINE, *_DRAWING, "outcome")
+    names = (*ENGINE, *_DRAWING, "outcome")
     for values in zip(*(rows[name].to_pylist() for name in names)):
         right.setdefault(values[:4], {})[values[4:8]] = values[8] in RIGHT
     found: list[tuple[str, str, int, int, int, float]] = []
@@ -206,7 +205,7 @@ def responses(study: Study, truth: str) -> dict[Engine, dict[int, Share]]:
     rows = study.fair(truth)
     rows = rows.filter(pc.and_(pc.greater(rows["tolerance"], 0), pc.is_valid(rows["feature_size"])))
     numbers: dict[Engine, dict[int, list[int]]] = {}
-    names = (*_ENGINE, "tolerance", "feature_size", "outcome")
+    names = (*ENGINE, "tolerance", "feature_size", "outcome")
     for values in zip(*(rows[name].to_pylist() for name in names)):
         tolerance, feature, outcome = values[4:]
         if feature <= 0:
@@ -247,15 +246,15 @@ def orders(study: Study) -> Table:
             pc.is_in(study.results["family"], pc.unique(permuted["family"])),
         )
     )
-    answers: dict[Engine, dict[tuple[Any, ...], set[tuple[Any, ...]]]] = {}
-    names = (*_ENGINE, *_DRAWING, "answer", "outcome", "vertices", "edges", "faces")
+    answers: dict[Engine, dict[tuple[Any, ...], list[tuple[Any, ...]]]] = {}
+    names = (*ENGINE, *_DRAWING, "answer", "outcome", "vertices", "edges", "faces")
     for values in zip(*(rows[name].to_pylist() for name in names)):
         if values[4:8] in units:
             of = answers.setdefault(values[:4], {})
-            of.setdefault(values[4:8], set()).add(values[8:])
+            of.setdefault(values[4:8], []).append(values[8:])
     found = []
     for e in study.engines:
-        sets = answers.get(e, {}).values()
+        sets = [set(all_of) for all_of in answers.get(e, {}).values() if len(all_of) > 1]
         if sets:
             digits = Share(sum(len({a[0] for a in s}) > 1 for s in sets), len(sets))
             cells = Share(sum(len({a[1:] for a in s}) > 1 for s in sets), len(sets))
@@ -270,7 +269,7 @@ def times(study: Study) -> dict[Engine, dict[tuple[Any, ...], tuple[float, int]]
     rows = rows.filter(pc.and_(pc.is_valid(rows["seconds"]), pc.greater(rows["seconds"], 0)))
     rows = rows.filter(pc.is_in(rows["outcome"], pa.array(RIGHT)))
     found: dict[Engine, dict[tuple[Any, ...], tuple[float, int]]] = {e: {} for e in study.engines}
-    names = (*_ENGINE, *_DRAWING, "seconds", "segments", "exact_vertices")
+    names = (*ENGINE, *_DRAWING, "seconds", "segments", "exact_vertices")
     for values in zip(*(rows[name].to_pylist() for name in names)):
         found[values[:4]][values[4:8]] = (values[8], values[9] + values[10])
     return {e: of for e, of in found.items() if of}

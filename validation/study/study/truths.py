@@ -26,7 +26,6 @@ from study.snapping import snap_rounded
 _COARSE = 2.0**-44  # of the largest coordinate: spacings of grids that doubles tell well apart
 _WELL_APART = 1000  # units of rounding, from which on doubles tell distances well enough
 _MANY = 2000  # pairs that are near
-NAMES = ("authored", "doubles", "intended", "contract")
 
 
 class Disagreement(Exception):

@@ -14,7 +14,7 @@ from plumbline import Arrangement
 from study.dice import Dice
 from study.engines import Adapter, Configuration, Limits, NotHere, Reply
 from study.families import Case, Family, Unit, case_of
-from study.outcomes import Judgement, judgements
+from study.outcomes import Judgement, edges_of, faces_in, judgements
 from study.results import Row
 from study.schedule import Block
 from study.truths import Truths
@@ -145,8 +145,9 @@ def signature(reply: Reply) -> str:
         return reply.ending
     places = [tuple(p) for p in reply.model["V"]]
     try:
-        edges = sorted(tuple(sorted((places[i], places[j]))) for i, j in reply.model["EV"])
+        pairs = edges_of(reply.model)
+        edges = sorted(tuple(sorted((places[i], places[j]))) for i, j in pairs)
     except (IndexError, TypeError, ValueError):
         return "unreadable"
-    text = f"{edges} {len(reply.model.get('polygons', ()))}"
+    text = f"{edges} {faces_in(reply.model)}"
     return hashlib.sha256(text.encode()).hexdigest()[:16]
