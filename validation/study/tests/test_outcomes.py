@@ -1,0 +1,136 @@
+"""Answers of known kinds, and the truths that they are held against."""
+
+from __future__ import annotations
+
+from fractions import Fraction as F
+from typing import Any
+
+import plumbline
+import pytest
+from study.engines import Configuration, Reply
+from study.families import Case, Family, Unit, case_of, fan, tees, turned_grid, turned_rooms
+from study.outcomes import judge, judgements
+from study.snapping import snap_rounded
+from study.truths import Numbers, Truths
+
+SQUARE = [(0.0, 0.0, 2.0, 0.0), (2.0, 0.0, 2.0, 2.0), (2.0, 2.0, 0.0, 2.0), (0.0, 2.0, 0.0, 0.0)]
+DRAWING = [*SQUARE, (0.0, 0.0, 2.0, 2.0)]
+RIGHT: dict[str, Any] = {
+    "V": [[0, 0], [2, 0], [2, 2], [0, 2]],
+    "EV": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]],
+    "polygons": [[[0, 1, 2]], [[0, 2, 3]]],
+}
+
+
+def outcome(model: dict[str, Any], tolerance: float = 1e-9) -> tuple[str, str]:
+    truth = plumbline.arrange(DRAWING, numbers="doubles")
+    found = judge(Reply("model", 0.1, model), truth, tolerance, 2.0)
+    return found.outcome, found.kind
+
+
+def changed(**members: Any) -> dict[str, Any]:
+    return RIGHT | members
+
+
+def test_right_answers_are_identical_or_moved() -> None:
+    assert outcome(RIGHT) == ("identical", "")
+    assert outcome(changed(V=[[0, 0], [2, 2**-51], [2, 2], [0, 2]])) == ("identical", "")
+    moved = changed(V=[[0, 0], [2, 1e-10], [2, 2], [0, 2]])
+    assert outcome(moved) == ("moved", "")
+    assert outcome(changed(V=[[0, 0], [2, 1e-7], [2, 2], [0, 2]]), 1e-9) == ("moved", "")
+
+
+@pytest.mark.parametrize(
+    ("model", "kind"),
+    [
+        (changed(EV=RIGHT["EV"][:4], polygons=[[[0, 1, 2, 3]]]), "faces merged"),
+        ({"V": RIGHT["V"], "EV": RIGHT["EV"][:4]}, "edge missing"),
+        ({"V": RIGHT["V"], "EV": [*RIGHT["EV"][1:]]}, "edge missing"),
+    ],
+)
+def test_other_topologies_have_the_gravest_difference(model: dict[str, Any], kind: str) -> None:
+    assert outcome(model) == ("topology", kind)
+
+
+def test_what_is_no_complex_is_invalid() -> None:
+    assert outcome(changed(EV=[*RIGHT["EV"], [1, 3]]))[0] == "invalid"  # they cross
+    assert outcome(changed(polygons=[[[0, 1, 2]], [[0, 1, 2]]]))[0] == "invalid"
+    assert outcome(changed(polygons=[[[0, 1, 9]]])) == ("invalid", "unreadable")
+    assert outcome(changed(V=[[0, 0], [2, float("nan")], [2, 2], [0, 2]]))[0] == "invalid"
+
+
+def test_what_is_loud_stays_so() -> None:
+    truth = Numbers(4, 5, 3)
+    for ending in ("error", "crash", "timeout", "memory"):
+        found = judge(Reply(ending, message="Class: words"), truth, 0.0, 1.0)
+        assert (found.outcome, found.kind) == (ending, "Class")
+
+
+def test_numbers_alone_are_compared_where_nothing_else_is_known() -> None:
+    reply = Reply("model", 0.1, RIGHT)
+    assert judge(reply, Numbers(4, 5, 3), 0.0, 1.0).outcome == "moved"
+    assert judge(reply, Numbers(3, 5, 3), 0.0, 1.0).kind == "numbers of cells"
+
+
+def configuration(kind: str, value: float) -> Configuration:
+    return Configuration("e", "E", "1", "e", "c", "C", kind, value, "")  # type: ignore[arg-type]
+
+
+def of(family: Family, size: int = 12, scale: str = "unit", order: int = 0) -> Case:
+    return case_of(family, Unit(family.name, size, scale, 3, order))
+
+
+def test_three_truths_of_a_slanted_tee_differ() -> None:
+    truths = Truths(of(Family("tees", "", tees, is_rounded=True)))
+    assert truths.authored.signature == (truths.intended or truths.doubles).signature
+    assert truths.authored.counts.faces == 5
+    assert truths.doubles.counts.faces < 5
+    truths.ensure_both_engines()
+
+
+def test_a_turned_grid_is_known_exactly() -> None:
+    truths = Truths(of(Family("grid", "", turned_grid, is_rounded=True), scale="UTM"))
+    assert truths.intended is not None and len(truths.intended) == 25
+    assert (
+        len(Truths(of(Family("rooms", "", turned_rooms, is_rounded=True), 36)).intended or ()) == 9
+    )
+    assert truths.doubles.counts.vertices > truths.intended.counts.vertices
+
+
+def test_an_order_changes_nothing_but_the_order() -> None:
+    family = Family("fan", "", fan)
+    plain, other = (of(family, order=k) for k in (0, 1))
+    assert plain.segments != other.segments
+    assert Truths(plain).doubles.signature == Truths(other).doubles.signature
+    assert of(family, order=1) == other
+
+
+def test_a_grid_promises_the_snap_rounded_complex() -> None:
+    near = [(0.0, 0.0, 10.0, 3.0), (3.4, 1.01, 6.4, 5.0)]
+    pieces = snap_rounded(near, F(1))
+    assert (F(3), F(1), F(10), F(3)) in pieces  # bent at the pixel of the end
+    upwards = snap_rounded([(0.5, 0.5, 1.5, -0.5)], F(1))
+    assert upwards == [(F(1), F(1), F(2), F(0))]
+    case = Case(Unit("near", 0, "unit", 0), None, [], near)
+    truth = Truths(case).contract(configuration("grid", 1.0))
+    assert isinstance(truth, plumbline.Arrangement)
+    assert truth.signature == plumbline.arrange(pieces).signature
+
+
+def test_a_snap_distance_promises_numbers_of_cells() -> None:
+    drawing = [(0.0, 0.0, 2.0, 0.0), (2.01, 0.0, 4.0, 2.0), (4.0, 2.0, 0.0, 0.0)]
+    truths = Truths(Case(Unit("gap", 0, "unit", 0), None, [], drawing))
+    assert truths.contract(configuration("snap", 0.02)) == Numbers(3, 3, 2)
+    assert truths.contract(configuration("snap", 0.005)) == Numbers(4, 3, 1)
+    assert truths.contract(configuration("none", 0)) is None
+    assert truths.feature_size == pytest.approx(0.01)
+
+
+def test_each_truth_is_judged_once() -> None:
+    case = of(Family("rooms", "", turned_rooms, is_rounded=True))
+    truths = Truths(case)
+    reply = Reply("model", 0.1, {"V": [], "EV": []})
+    names = ("authored", "doubles", "intended", "contract")
+    found = judgements(case, truths, configuration("none", 0), reply, names)
+    assert list(found) == ["authored", "doubles", "intended"]
+    assert {j.outcome for j in found.values()} == {"topology"}

@@ -1,0 +1,109 @@
+"""Results are whole and once; a report depends on them alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+import pytest
+from study import results
+from study.dice import Dice
+from study.words import OUTCOMES, TRUTHS
+
+pytest.importorskip("matplotlib")
+
+from study.report import files
+from study.tables import Study, differences, orders
+
+
+def row(engine: str, family: str, seed: int, truth: str, outcome: str, **more: Any) -> results.Row:
+    base: results.Row = dict.fromkeys(results.SCHEMA.names)
+    is_map = family.startswith("ulp")
+    return base | {
+        "engine": engine,
+        "version": "1.0",
+        "configuration": f"{engine}-c",
+        "group": "ulp maps" if is_map else "campaign",
+        "family": family,
+        "size": 3 if is_map else 12,
+        "scale": "unit",
+        "seed": seed,
+        "order": 0,
+        "truth": truth,
+        "title": engine.upper(),
+        "algorithm": "same",
+        "configuration_title": f"<{engine}>",
+        "tolerance_kind": "snap",
+        "tolerance": 1e-6,
+        "source": "its manual",
+        "segments": 12,
+        "exact_vertices": 20,
+        "exact_edges": 30,
+        "exact_faces": seed % 2,
+        "feature_size": 10.0 ** -(seed % 9),
+        "fits_doubles": True,
+        "both_engines": seed % 2 == 0,
+        "outcome": outcome,
+        "kind": "face lost" if outcome == "topology" else "",
+        "faces_wrong": 1,
+        "area": 0.5,
+        "answer": outcome,
+        "seconds": 0.001 * (seed + 1),
+        **more,
+    }
+
+
+def made() -> list[results.Row]:
+    dice = Dice("rows of the test")
+    rows = [
+        row(engine, family, seed, truth, OUTCOMES[dice.between(0, len(OUTCOMES) - 1)])
+        for engine in ("a", "b")
+        for family in ("lattice", "rings", "ulp map of a tee")
+        for seed in range(9)
+        for truth in (TRUTHS if family != "ulp map of a tee" else ("doubles",))
+    ]
+    return rows + [
+        row("a", "rings", 1, "doubles", "identical", order=k, answer=str(k)) for k in (1, 2)
+    ]
+
+
+def study_of(rows: list[results.Row]) -> Study:
+    return Study(results.sorted_once(pa.Table.from_pylist(rows, schema=results.SCHEMA)))
+
+
+def test_a_report_is_the_same_bytes_twice_and_in_any_order_of_rows() -> None:
+    rows = made()
+    first = files(study_of(rows))
+    Dice("another order").shuffle(rows)
+    second = files(study_of(rows))
+    assert first.keys() == second.keys()
+    assert [name for name in first if first[name] != second[name]] == []
+    assert {"study.md", "index.html", "overview.csv", "silent_doubles.svg", "times.svg"} <= set(
+        first
+    )
+    assert "&lt;a&gt;" in first["index.html"] and "<a>" not in first["index.html"]
+
+
+def test_results_are_gathered_once(tmp_path: Path) -> None:
+    path = tmp_path / "folder" / "results.parquet"
+    rows = made()
+    results.write_piece(path, rows[:20])
+    results.write_piece(path, rows[10:])
+    table = results.gather(path)
+    assert len(table) == len(rows)
+    assert results.gather(path).equals(table)
+    assert len(results.units_done(table)) == len({tuple(r[k] for k in results.UNIT) for r in rows})
+    assert not list(path.parent.glob("*.pieces/*"))
+
+
+def test_differences_are_of_pairs() -> None:
+    rows = [row("a", "rings", s, "doubles", "identical") for s in range(6)]
+    rows += [row("b", "rings", s, "doubles", "topology" if s else "moved") for s in range(6)]
+    (found,) = differences(study_of(rows)).rows
+    assert found[2:5] == (6, 5, 0) and found[5] == found[6] == 2 / 2**5
+
+
+def test_orders_tell_digits_from_cells() -> None:
+    (found,) = orders(study_of(made())).rows
+    assert found[1:3] == (1, "100.0 % (20.7-100.0)")
