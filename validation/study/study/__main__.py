@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from dataclasses import replace
 from math import inf
 from multiprocessing.util import Finalize
 from pathlib import Path
@@ -17,11 +18,12 @@ from study import results
 from study.engines import Limits, NotHere, listing
 from study.results import Row
 from study.schedule import FULL, QUICK, Amount, Block, blocks
-from study.work import Engine, Worker
+from study.work import Bounds, Engine, Worker
 
 _HERE = Path(__file__).resolve().parents[1]
 _PIECE = 20_000  # rows that are written at a time
 _QUICK = 0.8  # minutes, so that a quick run with whatever engines takes one
+_SHARE = 0.5  # of that time for engines; the rest is for judging
 _EVERY = 10.0  # seconds, at which progress is told
 
 _worker: Worker | None = None  # of this process
@@ -46,11 +48,9 @@ def part_of(all_blocks: Iterator[Block], part: tuple[int, int]) -> list[Block]:
     return [block for i, block in enumerate(all_blocks) if i % n == k - 1]
 
 
-def _begin(
-    engines: list[Engine], done: set[tuple[Any, ...]], limits: Limits, both_engines: int
-) -> None:
+def _begin(engines: list[Engine], done: set[tuple[Any, ...]], bounds: Bounds) -> None:
     global _worker
-    _worker = Worker(engines, done, limits, both_engines)
+    _worker = Worker(engines, done, bounds)
     # Adapters are no children of this process's group: they must be ended by it.
     Finalize(None, _worker.__exit__, exitpriority=0)
 
@@ -65,22 +65,20 @@ def run(
     engines: list[Engine],
     path: Path,
     jobs: int,
-    limits: Limits,
-    both_engines: int,
-    until: float,
+    bounds: Bounds,
 ) -> None:
-    """Does blocks in worker processes; begins none after `until`, on `time.monotonic`."""
+    """Does blocks in worker processes."""
     done = results.units_done(results.gather(path))
     rows: list[Row] = []
     told = time.monotonic()
     count = 0
-    arguments = (engines, done, limits, both_engines)
+    arguments = (engines, done, bounds)
     with ProcessPoolExecutor(jobs, initializer=_begin, initargs=arguments) as pool:
         waiting: set[Future[list[Row]]] = set()
         left = iter(todo)
         try:
             while True:
-                while len(waiting) < 2 * jobs and time.monotonic() < until:
+                while len(waiting) < 2 * jobs and time.monotonic() < bounds.until:
                     block = next(left, None)
                     if block is None:
                         break
@@ -132,6 +130,7 @@ def _arguments() -> argparse.Namespace:
 
 
 def main() -> int:
+    begun = time.monotonic()
     given = _arguments()
     base = FULL if given.full else QUICK
     amount = Amount(
@@ -147,10 +146,12 @@ def main() -> int:
         return 2
     todo = part_of(blocks(amount, given.drawings), given.part)
     limits = Limits(given.timeout, memory=int(given.memory * 2**30))
+    bounds = Bounds(limits, both_engines=1 if given.full else 4)
+    if not given.full:
+        bounds = replace(bounds, seconds_each=_SHARE * 60 * _QUICK / len(engines))
     minutes = given.minutes if given.minutes is not None else (inf if given.full else _QUICK)
-    until = time.monotonic() + 60 * minutes
-    both = 1 if given.full else 4
-    run(todo, engines, given.results, given.jobs, limits, both, until)
+    bounds = replace(bounds, until=begun + 60 * minutes)
+    run(todo, engines, given.results, given.jobs, bounds)
     return 0
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import hashlib
+import math
+import time
 from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass
@@ -23,6 +25,19 @@ _TIMEOUTS = 5  # in a row, after which an engine is asked nothing more of a bloc
 
 
 @dataclass(frozen=True)
+class Bounds:
+    """Of what a worker does."""
+
+    limits: Limits
+    both_engines: int
+    """One drawing in so many is arranged by both exact engines."""
+    until: float = math.inf
+    """Asks no engine later, on `time.monotonic`."""
+    seconds_each: float = math.inf
+    """Asks an engine nothing more when it has taken so many: the slow ones get fewer drawings."""
+
+
+@dataclass(frozen=True)
 class Engine:
     """A configuration and the program that runs it."""
 
@@ -37,16 +52,16 @@ class Worker:
         self,
         engines: Sequence[Engine],
         done: set[tuple[Any, ...]],
-        limits: Limits,
-        both_engines: int,
+        bounds: Bounds,
     ) -> None:
         self._engines = engines
         self._done = done
-        self._both = both_engines
+        self._bounds = bounds
+        self._taken = {e.configuration.key: 0.0 for e in engines}
         self._stack = ExitStack()
         self._adapters = {
             e.configuration.key: self._stack.enter_context(
-                Adapter(e.program, e.configuration.name, limits)
+                Adapter(e.program, e.configuration.name, bounds.limits)
             )
             for e in engines
         }
@@ -64,7 +79,7 @@ class Worker:
         late: dict[tuple[str, str, str], int] = {}
         for unit in block.units:
             missing = [e for e in self._engines if self._is_wanted(e, unit, late)]
-            if not missing:
+            if not missing or time.monotonic() > self._bounds.until:
                 continue
             case = case_of(block.family, unit)
             if not case.segments:
@@ -73,11 +88,15 @@ class Worker:
             both = self._compared(truths, unit)
             for engine in missing:
                 of = engine.configuration
+                start = time.monotonic()
+                if start > self._bounds.until:
+                    break
                 try:
                     reply = self._adapters[of.key].ask(case.segments)
                 except NotHere:
                     self._gone.add(of.key)
                     continue
+                self._taken[of.key] += time.monotonic() - start
                 late[of.key] = late.get(of.key, 0) + 1 if reply.ending == "timeout" else 0
                 found = judgements(case, truths, of, reply, block.truths)
                 drawing = _drawing(block.family, case, truths, both)
@@ -88,11 +107,13 @@ class Worker:
         key = engine.configuration.key
         if key in self._gone or late.get(key, 0) >= _TIMEOUTS:
             return False
+        if self._taken[key] > self._bounds.seconds_each:
+            return False
         return (*key, *asdict(unit).values()) not in self._done
 
     def _compared(self, truths: Truths, unit: Unit) -> bool:
         """Whether the exact side was computed by both exact engines; one in so many is."""
-        if Dice(f"both {unit}").between(1, self._both) != 1:
+        if Dice(f"both {unit}").between(1, self._bounds.both_engines) != 1:
             return False
         truths.ensure_both_engines()
         return True
