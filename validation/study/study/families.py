@@ -67,6 +67,8 @@ class Family:
     scales: tuple[str, ...] = ("unit",)
     is_rounded: bool = False
     """Whether authored numbers are rounded ones, and what was meant is therefore known."""
+    grows_well: bool = True
+    """Whether large ones have no more crossings than some for each segment."""
     decimals: int | None = None
     """Of authored numbers that are rounded; None: the shortest ones of nearest doubles."""
 
@@ -307,10 +309,10 @@ def made_families(sizes: tuple[int, ...]) -> list[Family]:
     """Those that are made here, in these sizes."""
     scaled = functools.partial(Family, sizes=sizes, scales=tuple(SCALES), is_rounded=True)
     return [
-        scaled("turned grid", "grids", turned_grid),
+        scaled("turned grid", "grids", turned_grid, grows_well=False),
         scaled("turned rooms", "grids", turned_rooms),
         scaled("tees on a slant", "junctions", tees),
-        Family("fan of many", "junctions", fan, sizes=tuple(min(n, 100) for n in sizes[:2])),
+        Family("fan of many", "junctions", fan, sizes=sizes, grows_well=False),
         Family("random", "random", random_segments, sizes=sizes, scales=("unit", "UTM")),
     ]
 

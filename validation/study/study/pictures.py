@@ -228,16 +228,20 @@ def ulp_map(study: Study, family: str) -> Figure | None:
     if not len(rows):
         return None
     side = max(rows["size"].to_pylist())
-    rows = rows.filter(pc.equal(rows["size"], side))
-    names = (*tables.ENGINE, "seed", "outcome", "exact_faces", "fits_doubles")
-    tiles: dict[Engine, np.ndarray] = {}
+    names = (*tables.ENGINE, "size", "seed", "outcome", "exact_faces", "fits_doubles")
+    largest: dict[Engine, np.ndarray] = {}
     faces = np.full((side, side), np.nan)
     fits = np.ones((side, side), dtype=bool)
-    for *named, seed, outcome, exact, fit in zip(*(rows[name].to_pylist() for name in names)):
-        tile = tiles.setdefault(tuple(named), np.full((side, side), np.nan))
-        tile[seed // side, seed % side] = OUTCOMES.index(outcome)
-        faces[seed // side, seed % side] = exact
-        fits[seed // side, seed % side] = fit
+    for *named, own, seed, outcome, exact, fit in zip(*(rows[n].to_pylist() for n in names)):
+        tile = largest.get(tuple(named))
+        if tile is None or len(tile) < own:
+            tile = largest[tuple(named)] = np.full((own, own), np.nan)
+        if len(tile) == own:
+            tile[divmod(seed, own)] = OUTCOMES.index(outcome)
+        if own == side:
+            faces[divmod(seed, side)] = exact
+            fits[divmod(seed, side)] = fit
+    tiles = {e: tile for e, tile in largest.items() if not np.isnan(tile).any()}
     order = [e for e in study.engines if e in tiles]
     columns = min(4, len(order) + 1)
     lines = -(-(len(order) + 1) // columns)

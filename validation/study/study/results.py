@@ -6,6 +6,7 @@ of it at its end, or when the next run begins.
 
 from __future__ import annotations
 
+import fcntl
 import os
 import uuid
 from collections.abc import Iterable
@@ -91,14 +92,17 @@ def write_piece(path: Path, rows: Iterable[Row]) -> None:
 
 def gather(path: Path) -> pa.Table:
     """Makes the pieces part of the file, and returns it all: by key, a unit once."""
-    pieces = sorted(_pieces(path).glob("*.parquet"))
-    if not pieces:
+    if not _pieces(path).exists():
         return load(path)
-    tables = [load(path), *(pq.read_table(piece, schema=SCHEMA) for piece in pieces)]
-    write(path, pa.concat_tables(tables))
-    for piece in pieces:
-        piece.unlink()
-    return load(path)
+    with open(_pieces(path) / ".lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # of runs side by side one gathers at a time
+        pieces = sorted(_pieces(path).glob("*.parquet"))
+        if pieces:
+            tables = [load(path), *(pq.read_table(piece, schema=SCHEMA) for piece in pieces)]
+            write(path, pa.concat_tables(tables))
+        for piece in pieces:
+            piece.unlink()
+        return load(path)
 
 
 def write(path: Path, table: pa.Table) -> None:

@@ -19,21 +19,22 @@ class Amount:
     """How much of everything."""
 
     seeds: int
-    """Of each family, size and scale."""
+    """Of each family of the campaign, and of plans as drawn."""
+    scaled_seeds: int
+    """Of each family that is made in sizes and scales, for each of them."""
     sizes: tuple[int, ...]
-    large_sizes: tuple[int, ...]
-    """Some seeds of each of these, for times."""
-    large_seeds: int
-    first_seed: int
+    large: tuple[tuple[int, int], ...]
+    """Sizes with numbers of seeds, at unit scale and over the doubles alone: for times."""
     orders: int
     """Permutations of each drawing that is drawn in several orders."""
     ordered_seeds: int
     ulp_side: int
     """Of the maps of neighbours of an end point."""
+    first_seed: int = 0
 
 
-QUICK = Amount(1, (12,), (), 0, 0, 4, 1, 9)
-FULL = Amount(1000, (12, 40, 200), (1000, 10_000, 100_000), 3, 0, 20, 50, 256)
+QUICK = Amount(1, 1, (12,), (), 4, 1, 7)
+FULL = Amount(1000, 200, (12, 40), ((200, 20), (1000, 3), (10_000, 3), (100_000, 1)), 20, 50, 64)
 
 _ORDERED = ("T-junctions", "near-concurrent fans", "plan with doors, turned", "random")
 
@@ -49,40 +50,48 @@ class Block:
 
 def blocks(amount: Amount, drawings: Path) -> Iterator[Block]:
     """All blocks of a study, in the same order every time."""
-    small = [
-        *families.campaign_families(),
-        *families.plan_families(),
-        *families.made_families(amount.sizes),
-    ]
+    small = [*families.campaign_families(), *families.plan_families()]
+    made = families.made_families(amount.sizes)
     for family in small:
-        yield from _seeds(family, amount.seeds, amount.first_seed)
+        yield from _seeds(family, amount.seeds, amount.first_seed, family.scales[:1])
+    for family in small:
+        yield from _seeds(family, amount.scaled_seeds, amount.first_seed, family.scales[1:])
+    for family in made:
+        yield from _seeds(family, amount.scaled_seeds, amount.first_seed, family.scales)
     for family in families.drawing_families(drawings):
-        yield from _seeds(family, 1, amount.first_seed)
-    for family in small:
+        yield from _seeds(family, 1, amount.first_seed, family.scales)
+    for family in (*small, *made):
         if family.name in _ORDERED:
             yield from _orders(family, amount)
-    if amount.large_sizes:
-        for family in families.made_families(amount.large_sizes):
-            yield from _seeds(family, amount.large_seeds, amount.first_seed, ("unit",))
+    for size, seeds in amount.large:
+        for family in families.made_families((size,)):
+            if family.grows_well:
+                yield from _seeds(family, seeds, amount.first_seed, ("unit",), ("doubles",))
     for family in families.ulp_maps():
         yield from _map(family, amount.ulp_side)
 
 
 def _seeds(
-    family: Family, count: int, first: int, scales: tuple[str, ...] | None = None
+    family: Family,
+    count: int,
+    first: int,
+    scales: tuple[str, ...],
+    truths: tuple[str, ...] = TRUTHS,
 ) -> Iterator[Block]:
     for size in dict.fromkeys(family.sizes):
         block = 1 if size >= _LARGE else _BLOCK
-        for scale in scales or family.scales:
+        for scale in scales:
             for start in range(first, first + count, block):
                 seeds = range(start, min(start + block, first + count))
-                yield Block(family, tuple(Unit(family.name, size, scale, s) for s in seeds))
+                units = tuple(Unit(family.name, size, scale, s) for s in seeds)
+                yield Block(family, units, truths)
 
 
 def _orders(family: Family, amount: Amount) -> Iterator[Block]:
     """The same drawings in several orders; the first one as drawn, which is among the seeds."""
     scale, size = family.scales[0], family.sizes[0]
-    seeds = range(amount.first_seed, amount.first_seed + min(amount.ordered_seeds, amount.seeds))
+    count = amount.seeds if family.sizes == (0,) else amount.scaled_seeds
+    seeds = range(amount.first_seed, amount.first_seed + min(amount.ordered_seeds, count))
     for seed in seeds:
         units = [Unit(family.name, size, scale, seed, k) for k in range(1, amount.orders)]
         yield Block(family, tuple(units), ("doubles",))

@@ -21,6 +21,8 @@ from study.results import Row
 from study.schedule import Block
 from study.truths import Truths
 
+_SOME = 20  # drawings, after which it is known whether an engine is slow
+_SLOW = 0.2  # seconds a drawing
 _TIMEOUTS = 5  # in a row, after which an engine is asked nothing more of a block
 
 
@@ -33,6 +35,9 @@ class Bounds:
     """One drawing in so many is arranged by both exact engines."""
     until: float = math.inf
     """Asks no engine later, on `time.monotonic`."""
+    slow_seeds: int = 50
+    """Of engines that take long, so many seeds from the first."""
+    first_seed: int = 0
     seconds_each: float = math.inf
     """Asks an engine nothing more when it has taken so many: the slow ones get fewer drawings."""
 
@@ -58,6 +63,7 @@ class Worker:
         self._done = done
         self._bounds = bounds
         self._taken = {e.configuration.key: 0.0 for e in engines}
+        self._asked = {e.configuration.key: 0 for e in engines}
         self._stack = ExitStack()
         self._adapters = {
             e.configuration.key: self._stack.enter_context(
@@ -96,6 +102,7 @@ class Worker:
                 except NotHere:
                     self._gone.add(of.key)
                     continue
+                self._asked[of.key] += 1
                 self._taken[of.key] += time.monotonic() - start
                 late[of.key] = late.get(of.key, 0) + 1 if reply.ending == "timeout" else 0
                 found = judgements(case, truths, of, reply, block.truths)
@@ -108,6 +115,10 @@ class Worker:
         if key in self._gone or late.get(key, 0) >= _TIMEOUTS:
             return False
         if self._taken[key] > self._bounds.seconds_each:
+            return False
+        count = self._asked[key]
+        is_slow = count >= _SOME and self._taken[key] > _SLOW * count
+        if is_slow and unit.seed - self._bounds.first_seed >= self._bounds.slow_seeds:
             return False
         return (*key, *asdict(unit).values()) not in self._done
 
