@@ -247,11 +247,15 @@ def ulp_tee(side: int, cell: int) -> list[ExactSegment]:
 
 
 def ulp_fan(side: int, cell: int) -> list[ExactSegment]:
-    """Five lines nearly through one point; an end of one is moved likewise."""
+    """Four lines through the origin, where doubles are fine enough for what happens, and one that
+    goes through it or passes it, since an end of it is moved likewise."""
     x, y = (k - side // 2 for k in (cell % side, cell // side))
-    rows = [(0.1, 0.1, 0.9, 0.9), (0.1, 0.9, 0.9, 0.1), (0.5, 0.1, 0.5, 0.9), (0.1, 0.3, 0.9, 0.7)]
-    moved = (Fraction(0.1), Fraction(0.6), _neighbour(0.9, x), _neighbour(0.4, y))
-    return [_four([Fraction(c) for c in row]) for row in rows] + [moved]
+    rows = [_four([Fraction(c) for c in (px, py, -px, -py)]) for px, py in _DIRECTIONS]
+    moved = (Fraction(-0.9), Fraction(-0.4), _neighbour(0.9, x), _neighbour(0.4, y))
+    return [*rows, moved]
+
+
+_DIRECTIONS = ((1.0, 1.0), (1.0, -1.0), (0.3, 1.0), (1.0, 0.7))
 
 
 # Families that plumbline_study_inputs makes, and drawings of people.

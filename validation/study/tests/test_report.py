@@ -94,7 +94,7 @@ def test_results_are_gathered_once(tmp_path: Path) -> None:
     assert len(table) == len(rows)
     assert results.gather(path).equals(table)
     assert len(results.units_done(table)) == len({tuple(r[k] for k in results.UNIT) for r in rows})
-    assert not list(path.parent.glob("*.pieces/*"))
+    assert not list(path.parent.glob("*.pieces/*.parquet"))
 
 
 def test_differences_are_of_pairs() -> None:
