@@ -24,7 +24,10 @@ _HERE = Path(__file__).resolve().parents[1]
 _PIECE = 20_000  # rows that are written at a time
 _QUICK = 0.8  # minutes, so that a quick run with whatever engines takes one
 _SHARE = 0.5  # of that time for engines; the rest is for judging
+_AT_MOST = 30.0  # seconds of work that are lost where a run is ended
 _EVERY = 10.0  # seconds, at which progress is told
+
+_INTERRUPTED = 130  # the exit code that shells have for it
 
 _worker: Worker | None = None  # of this process
 
@@ -70,7 +73,7 @@ def run(
     """Does blocks in worker processes."""
     done = results.units_done(results.gather(path))
     rows: list[Row] = []
-    told = time.monotonic()
+    told = written = time.monotonic()
     count = 0
     arguments = (engines, done, bounds)
     with ProcessPoolExecutor(jobs, initializer=_begin, initargs=arguments) as pool:
@@ -89,9 +92,9 @@ def run(
                 for future in ready:
                     rows += future.result()
                     count += 1
-                if len(rows) >= _PIECE:
+                if len(rows) >= _PIECE or time.monotonic() > written + _AT_MOST:
                     results.write_piece(path, rows)
-                    rows = []
+                    rows, written = [], time.monotonic()
                 if time.monotonic() > told + _EVERY:
                     told = time.monotonic()
                     print(f"{count} of {len(todo)} blocks", file=sys.stderr)
@@ -151,7 +154,11 @@ def main() -> int:
         bounds = replace(bounds, seconds_each=_SHARE * 60 * _QUICK / len(engines))
     minutes = given.minutes if given.minutes is not None else (inf if given.full else _QUICK)
     bounds = replace(bounds, until=begun + 60 * minutes)
-    run(todo, engines, given.results, given.jobs, bounds)
+    try:
+        run(todo, engines, given.results, given.jobs, bounds)
+    except KeyboardInterrupt:
+        print("ended; the next run goes on", file=sys.stderr)
+        return _INTERRUPTED
     return 0
 
 

@@ -34,7 +34,7 @@ class Amount:
 
 
 QUICK = Amount(1, 1, (12,), (), 4, 1, 7)
-FULL = Amount(1000, 200, (12, 40), ((200, 20), (1000, 3), (10_000, 3), (100_000, 1)), 20, 50, 64)
+FULL = Amount(400, 100, (12, 40), ((200, 20), (1000, 3), (10_000, 3), (100_000, 1)), 20, 50, 64)
 
 _ORDERED = ("T-junctions", "near-concurrent fans", "plan with doors, turned", "random")
 
