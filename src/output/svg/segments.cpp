@@ -31,7 +31,7 @@ std::string to_svg(const SegmentSet& input) {
                     shortest_text(kLinePen * picture.unit) + "\">\n";
   const std::size_t count = input.segments.size();
   for (std::size_t s = 0; s < count;) {
-    svg += std::string("<path") + svg::kNonScaling + " d=\"";
+    svg.append("<path").append(svg::kNonScaling).append(" d=\"");
     const SourceId source = input.segment_source[s];
     const std::size_t begin = svg.size();
     for (std::size_t first = s;
