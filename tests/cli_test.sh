@@ -111,7 +111,7 @@ expect "both engines agree on a drawing" 0 '370 vertices' "$plumbline" arrange "
 expect "their old names still work, and say so" 0 'verify is --both-engines now.*engine is --exact-engine now' "$plumbline" arrange "$examples/office-plan.svg" --engine cgal --verify
 expect "an unknown exact engine names the known ones" 2 'not fast, but bucket or cgal' "$plumbline" info "$examples/dwelling.svg" --exact-engine fast
 expect "by its old name, too" 2 'bucket and cgal: "fast"' "$plumbline" info "$examples/dwelling.svg" --engine fast
-expect "an unknown engine names the known ones" 2 'lar, inters, files: "fast"' "$plumbline" check "$examples/dwelling.svg" --engine fast
+expect "an unknown engine names the known ones" 2 'lar, inters, plasm, files: "fast"' "$plumbline" check "$examples/dwelling.svg" --engine fast
 expect "any engine can be checked, with its parameters" 1 'LAR inters.*radius 0.01,' "$plumbline" check "$examples/dwelling.svg" --engine inters --set radius=0.01 --set decimals=3
 expect "the short forms mean the same" 1 'LAR inters.*radius 0.01,' "$plumbline" check "$examples/dwelling.svg" --variant published --radius 0.01 --decimals 3
 expect "a parameter that an engine has not is refused, with those that it has" 2 'lar has no such parameter; it has radius: "decimals"' "$plumbline" check "$examples/dwelling.svg" --decimals 3

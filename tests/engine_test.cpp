@@ -111,9 +111,9 @@ TEST_CASE("every engine of the tool has a name, a title and described parameters
     CHECK_FALSE(engine.title.empty());
     for (const Parameter& parameter : engine.parameters) CHECK_FALSE(parameter.description.empty());
   }
-  CHECK(names == "lar inters files ");
+  CHECK(names == "lar inters plasm files ");
   CHECK_THROWS_WITH(engine_named("luck", engines()),
-                    Catch::Contains("there are lar, inters, files"));
+                    Catch::Contains("there are lar, inters, plasm, files"));
 }
 
 TEST_CASE("the tool checks an engine that it is given, by name and with its parameters") {

@@ -97,7 +97,7 @@ struct RuleOutcome {
 std::vector<RuleOutcome> compare_rules(const SegmentSet& input, const Repair& repair,
                                        double tolerance);
 
-/// All engines that there are, by name: lar, inters, files.
+/// All engines that there are, by name: lar, inters, plasm, files.
 std::vector<Engine> engines();
 /// The one of that name. Throws: Error BadInput, with the names that there are, for another.
 Engine engine_named(const std::string& name, const std::vector<Engine>& engines);

@@ -8,6 +8,7 @@
 #include "plumbline/engines/files.hpp"
 #include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/lar.hpp"
+#include "plumbline/engines/plasm.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/pipeline.hpp"
 
@@ -27,7 +28,9 @@ int decimals_of(const Parameters& parameters) {
 
 }  // namespace
 
-std::vector<Engine> engines() { return {lar::engine(), inters::engine(), files::engine()}; }
+std::vector<Engine> engines() {
+  return {lar::engine(), inters::engine(), plasm::engine(), files::engine()};
+}
 
 Engine engine_named(const std::string& name, const std::vector<Engine>& engines) {
   std::string known;
@@ -57,9 +60,8 @@ Engine inters_with_svg2lines(const Drawing& drawing) {
 }
 
 std::optional<double> preset_radius(std::string_view preset, const SegmentSet& input) {
-  constexpr double kOfPlasm = 1e-8;
   if (preset == "drawing") return std::nullopt;
-  if (preset == "plasm") return kOfPlasm;
+  if (preset == "plasm") return plasm::kRadius;
   std::optional<PointD> low, high;
   const auto include = [&](const NumberPoint& point) {
     const PointD p = nearest(point);

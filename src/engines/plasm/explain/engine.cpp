@@ -1,0 +1,37 @@
+// Plasm.jl's 2D arrangement as an engine.
+
+#include "plumbline/engine.hpp"
+#include "engines/plasm/explain/result.hpp"
+#include "plumbline/engines/plasm.hpp"
+
+namespace plumbline::plasm {
+namespace {
+
+constexpr const char* kRadiusName = "radius";
+
+Answer answer(const SegmentSet& input, const Parameters& parameters, std::size_t /*threads*/) {
+  const auto chosen = parameters.find(kRadiusName);
+  const double radius =
+      chosen == parameters.end() ? plasm::kRadius : std::get<double>(chosen->second);
+  const Trace trace = plasm::run(input, radius);
+  Answer answer;
+  answer.parameters = {{kRadiusName, radius}};
+  answer.complex = result_complex(trace);
+  answer.compared = trace.failure ? Compared::Graph : Compared::All;
+  answer.radius = radius;
+  return answer;
+}
+
+}  // namespace
+
+Engine engine() {
+  return {"plasm",
+          "1.0.4",
+          "Plasm.jl",
+          {{kRadiusName, Parameter::Type::Number,
+            "LAR_DEFAULT_ERR: vertices no further apart than this are merged, in drawing units; "
+            "parameters and cosines are as near to 0 and 1 [default: 1e-8]"}},
+          answer};
+}
+
+}  // namespace plumbline::plasm
