@@ -363,7 +363,8 @@ def cross_check(
     drawing : Arrangement, or line work as `lines` takes it
     engine : str
         "lar": the best float version of LAR's algorithm; "inters": LAR's module as published in
-        2015; "files": a result that is there, with the parameter `file`. See `engine_names`.
+        2015; "plasm": Plasm.jl's `ARRANGE2D`; "files": a result that is there, with the parameter
+        `file`. See `engine_names`.
     variant : {"published", "repaired"}, optional
         Other names of "inters" and "lar".
     advice : bool, optional

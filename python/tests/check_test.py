@@ -433,7 +433,7 @@ def test_lar_as_published_is_as_the_tool_says(examples: Path) -> None:
 def test_parameters_that_an_engine_has_not_are_refused_with_those_that_it_has() -> None:
     with pytest.raises(plumbline.Error, match=r"no such parameter; it has radius.*decimals"):
         plumbline.cross_check(ROOMS, decimals=3)
-    with pytest.raises(plumbline.Error, match="there are lar, inters, files"):
+    with pytest.raises(plumbline.Error, match="there are lar, inters, plasm, files"):
         plumbline.cross_check(ROOMS, "cgal")
     with pytest.raises(plumbline.Error, match="the parameter decimals is an integer"):
         plumbline.cross_check(ROOMS, "inters", decimals=2.5)

@@ -44,14 +44,14 @@ void add_engine_options(CLI::App& command, CheckArguments& arguments) {
                                           " now; --engine chooses the engine that is checked");
               },
               "Check the answer of this engine: lar (float LAR, the default), inters (LAR's module "
-              "as published, with all its divergences), files")
-          ->type_name("NAME:lar|inters|files")
+              "as published, with all its divergences), plasm (Plasm.jl's ARRANGE2D), files")
+          ->type_name("NAME:lar|inters|plasm|files")
           ->excludes("--against");
   command
       .add_option(
           "--set", arguments.settings,
           "A parameter of the engine: of lar radius; of inters radius, decimals, result; of "
-          "files file")
+          "plasm radius; of files file")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
   command
@@ -92,7 +92,7 @@ void add_comparison(CLI::App& command, CheckArguments& arguments) {
           "larlib, its 0.001 on the unit square, so x the drawing's longer side; plasm, 1e-8 as "
           "Plasm.jl has it; drawing, the default [default: 0.001 x the drawing's longer side, "
           "at most a quarter of its shortest segment; at least 2^-46 x its largest coordinate; of "
-          "inters 0.001]")
+          "inters 0.001, of plasm 1e-8]")
       ->check(radius())
       ->type_name("R");
   CLI::Option* against =

@@ -75,8 +75,9 @@ struct Failure {
 /// The output of every stage.
 struct Trace {
   double radius = kRadius;
-  Graph drawing;    ///< the segments in doubles, as they come
-  Graph fragments;  ///< cut, each piece with vertices of its own
+  Graph drawing;               ///< the segments in doubles, as they come
+  std::vector<PointD> points;  ///< isolated ones, for which no later stage has a place
+  Graph fragments;             ///< cut, each piece with vertices of its own
   Merging merging;
   std::vector<std::vector<EdgeId>> components;  ///< of two or more edges; most edges first
   std::vector<EdgeId> dropped;                  ///< edges in no cycle, ascending

@@ -74,4 +74,7 @@ bool is_inside(const PointD& point, const Graph& graph, const Chain& edges);
 /// Cost: O(c^2) for c components, and the edges of shells per pair of boxes.
 std::vector<Hole> nest(const Graph& graph, std::span<const Component> components);
 
+/// The stages after `merge`: fills in the rest of the trace. What fails is its failure.
+void find_cells(Trace& trace);
+
 }  // namespace plumbline::plasm

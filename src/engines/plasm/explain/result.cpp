@@ -108,7 +108,8 @@ LineWork line_work(const Graph& graph) {
 }
 
 LineWork kept_work(const Trace& trace) {
-  return line_work(part(trace.merging.graph, kept_edges(trace)));
+  return trace.failure ? line_work(trace.merging.graph)
+                       : line_work(part(trace.merging.graph, kept_edges(trace)));
 }
 
 FloatComplex result_complex(const Trace& trace) {

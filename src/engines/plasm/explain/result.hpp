@@ -7,7 +7,8 @@ namespace plumbline::plasm {
 
 /// The edges of a graph as line work; vertices of no edge are none.
 LineWork line_work(const Graph& graph);
-/// Those of the merged graph that are in a component.
+/// What goes into the faces: the edges of the merged graph that are in a component; where there is
+/// no result all of them.
 LineWork kept_work(const Trace& trace);
 
 /// The result, right or wrong, edges with their sources; where there is none the merged graph

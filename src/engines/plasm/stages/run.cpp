@@ -8,7 +8,7 @@
 namespace plumbline::plasm {
 namespace {
 
-void find_cells(Trace& trace) {
+void find_faces(Trace& trace) {
   if (trace.components.empty()) {
     throw Failure{Failure::Kind::NoCycle,
                   "planar_arrangement returns nothing: no edge is in a "
@@ -27,6 +27,20 @@ void find_cells(Trace& trace) {
 
 }  // namespace
 
+void find_cells(Trace& trace) {
+  Biconnected biconnected = biconnected_components(trace.merging.graph);
+  trace.components = std::move(biconnected.components);
+  trace.dropped = std::move(biconnected.dropped);
+  trace.cells.clear();
+  trace.holes.clear();
+  trace.failure.reset();
+  try {
+    find_faces(trace);
+  } catch (const Failure& failure) {
+    trace.failure = failure;
+  }
+}
+
 Trace run(const SegmentSet& input, double radius) {
   if (!(std::isfinite(radius) && radius >= 0)) {
     throw Error(ErrorCode::BadInput, "the radius must be finite and not negative", {},
@@ -35,16 +49,10 @@ Trace run(const SegmentSet& input, double radius) {
   Trace trace;
   trace.radius = radius;
   trace.drawing = to_doubles(input);
+  for (const Point& point : input.points) trace.points.push_back(nearest(point));
   trace.fragments = fragment(trace.drawing, radius);
   trace.merging = merge(trace.fragments, radius);
-  Biconnected biconnected = biconnected_components(trace.merging.graph);
-  trace.components = std::move(biconnected.components);
-  trace.dropped = std::move(biconnected.dropped);
-  try {
-    find_cells(trace);
-  } catch (const Failure& failure) {
-    trace.failure = failure;
-  }
+  find_cells(trace);
   return trace;
 }
 
