@@ -310,7 +310,7 @@ def _of_whole(values: LinesLike, numbers: Numbers | None) -> Lines | None:
         return _of_text(values, numbers)
     if isinstance(values, dict) and "type" in values:
         return _of_mapping(values, numbers)
-    if hasattr(values, "__geo_interface__") and as_geometries(values) is None:
+    if as_geometries(values) is None and hasattr(values, "__geo_interface__"):
         return _of_mapping(values.__geo_interface__, numbers)
     return None
 
