@@ -349,8 +349,8 @@ class Structure:
         state = None if self._made_by is None else self._made_by.state(self._core)
         if state is None:
             raise TypeError(
-                "this Structure cannot be pickled so that it stays the same, as that of a file that "
-                "has changed, or of a pipe: pickle the Lines that evaluate() gives"
+                "this Structure cannot be pickled so that it stays the same, as that of a file "
+                "that has changed, or of a pipe: pickle the Lines that evaluate() gives"
             )
         return _structure_read, state
 
