@@ -31,12 +31,13 @@ from plumbline.lines import Lines, lines
 from plumbline.lists import Lists
 from plumbline.maps import Map, r, s, t
 from plumbline.models import LarModel
-from plumbline.noding import Sourced, node, polygonize, polygonize_full
+from plumbline.noding import node, polygonize, polygonize_full
 from plumbline.points import Points
 from plumbline.polygons import FacePolygons, Triangles, triangulate
 from plumbline.repair import Repair, Undone, compare_rules, repair, undo
 from plumbline.rooms import Rooms, rooms
 from plumbline.rounding import RoundedArrangement, snap_round
+from plumbline.sourced import Sourced
 from plumbline.structure import Struct, Structure, box, evaluate
 from plumbline.write import write
 
