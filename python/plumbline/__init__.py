@@ -8,26 +8,16 @@ from plumbline import lar
 from plumbline._core import VERSION as __version__
 from plumbline.arrangement import Arrangement, arrange, same, signature, validate
 from plumbline.certificate import Verdict, certificate, verify
-from plumbline.check import (
-    Answer,
-    Cause,
-    Check,
-    Engine,
-    Finding,
-    FindingGroup,
-    RightRadii,
-    check,
-    cross_check,
-    engine_names,
-    engine_parameters,
-)
+from plumbline.check import Answer, Cause, Check, Engine, Finding, FindingGroup, RightRadii, check
 from plumbline.compare import Comparison, compare
+from plumbline.cross_check import cross_check, engine_names, engine_parameters
 from plumbline.diagnosis import Defect, Diagnosis, InvalidRing, Opening, diagnose, validity
 from plumbline.drawing import Drawing, read
 from plumbline.errors import Error, FileError, InternalError, LimitError, LossWarning
 from plumbline.ladder import Ladder, LadderStep, ladder
 from plumbline.lar import random_lines
-from plumbline.lines import Lines, lines
+from plumbline.line_inputs import lines
+from plumbline.lines import Lines
 from plumbline.lists import Lists
 from plumbline.maps import Map, r, s, t
 from plumbline.models import LarModel

@@ -21,7 +21,7 @@ from plumbline._json import dumped, loaded
 from plumbline._numbers import exact_text
 from plumbline.arrangement import Arrangement
 from plumbline.errors import Error, FileError
-from plumbline.lines import ensure_utf8, feature_of, is_of_mappings, is_wkt
+from plumbline.line_inputs import ensure_utf8, feature_of, is_of_mappings, is_wkt
 
 
 def answer_of_result(result: Any) -> _core.Answer:

@@ -17,14 +17,8 @@ from plumbline._numbers import Number, Numbers, ensure_unmasked, in_doubles
 from plumbline._progress import Progress, told
 from plumbline._whole import threads_of, whole
 from plumbline.errors import Error
-from plumbline.lines import (
-    ExactPoint,
-    Lines,
-    LinesLike,
-    are_beyond_doubles,
-    lines,
-    point_texts,
-)
+from plumbline.line_inputs import are_beyond_doubles, lines, point_texts
+from plumbline.lines import ExactPoint, Lines, LinesLike
 from plumbline.lists import Lists
 from plumbline.points import Points
 

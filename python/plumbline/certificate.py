@@ -11,8 +11,8 @@ from plumbline._core import Verdict
 from plumbline._numbers import Numbers
 from plumbline.arrangement import Arrangement
 from plumbline.errors import Error
+from plumbline.line_inputs import lines as lines_of
 from plumbline.lines import LinesLike
-from plumbline.lines import lines as lines_of
 
 __all__ = ["Verdict", "certificate", "verify"]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, NoReturn, Protocol, Union
+from typing import TYPE_CHECKING, Any, NoReturn, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from plumbline._cached import cached
 from plumbline._core import Answer, Cause, ChangedFaces, Finding, FindingGroup, RightRadii
 from plumbline._crs import ensure_same_crs
 from plumbline._notebook import framed
-from plumbline._numbers import Number, Numbers, exact_text
+from plumbline._numbers import Number, Numbers
 from plumbline._progress import Progress, told
 from plumbline._results import answer_of_result
 from plumbline._sizes import nearest_size
@@ -44,9 +44,6 @@ __all__ = [
     "FindingGroup",
     "RightRadii",
     "check",
-    "cross_check",
-    "engine_names",
-    "engine_parameters",
 ]
 
 ResultLike = Any
@@ -342,119 +339,6 @@ def check(
     return Check(core, exact)
 
 
-def cross_check(
-    drawing: Arrangement | LinesLike,
-    engine: str = "lar",
-    *,
-    variant: Literal["published", "repaired"] | None = None,
-    advice: bool | None = None,
-    tolerance: Number | None = None,
-    unit_square: bool = False,
-    svg2lines: bool = False,
-    numbers: Numbers | None = None,
-    threads: int | None = None,
-    progress: Progress = None,
-    **parameters: Union[Number, None],
-) -> Check:
-    """The answer of a float engine of this library, held against the exact arrangement.
-
-    Parameters
-    ----------
-    drawing : Arrangement, or line work as `lines` takes it
-    engine : str
-        "lar": the best float version of LAR's algorithm; "inters": LAR's module as published in
-        2015; "plasm": Plasm.jl's `ARRANGE2D`; "files": a result that is there, with the parameter
-        `file`. See `engine_names`.
-    variant : {"published", "repaired"}, optional
-        Other names of "inters" and "lar".
-    advice : bool, optional
-        Whether to look for the radii with which the engine is right, by a dozen runs. By default
-        for up to 50,000 edges.
-    tolerance : number, optional
-        Vertices match within this distance. By default the radius of the engine.
-    unit_square : bool
-        Whether the drawing is mapped to the unit square first, as published for SVG.
-    svg2lines : bool
-        Of inters: whether to find what the published reader of SVG would misread, too. Needs a
-        drawing that was read from an SVG file.
-    numbers, threads, progress
-        As in `check`.
-    **parameters
-        Of the engine, as `engine_parameters` lists them. `radius` may be "larlib" (0.001 of the
-        drawing's longer side), "plasm" (1e-8) or "drawing" (the engine's own), too.
-
-    Returns
-    -------
-    Check
-        With causes: the stage of the engine to blame for each finding, proved by continuing
-        its outputs exactly where it says `confirmed`.
-
-    Raises
-    ------
-    Error
-        Where nothing is drawn; for engines and parameters that there are not, and values that they
-        do not take; as `arrange`.
-
-    Examples
-    --------
-    >>> import plumbline
-    >>> thin = "MULTILINESTRING ((0 0, 8 0, 8 8, 0 8, 0 0), (0 0.005, 8 0.005))"
-    >>> c = plumbline.cross_check(thin)
-    >>> c.agree, c.answer.radius
-    (False, 0.008)
-    >>> sorted({cause.rule for cause in c.causes})
-    ['merged-within-radius']
-    >>> bool(plumbline.cross_check(thin, radius=c.right_radii.advised))
-    True
-    """
-    engine = _engine_of_variant(engine, variant)
-    settings = [(name, _setting(name, value)) for name, value in parameters.items()]
-    _core.engine_parameters(engine)  # refused at once where there is no such engine
-    within, count = _tolerance(tolerance), threads_of(threads)
-    of = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads))
-    answer = _core.engine_answer(
-        engine,
-        of.lines._core,
-        unit_square,
-        settings,
-        _svg_file(of.lines, engine) if svg2lines else "",
-        count,
-    )
-    _warn_of_losses(answer)
-    exact = _mapped(of, count) if unit_square else of
-    with told(progress, "checking") as callback:
-        core = _core.check(
-            exact.lines._core,
-            exact._core,
-            answer,
-            _structure(of.lines),
-            unit_square,
-            within,
-            advice,
-            False,
-            count,
-            callback,
-        )
-    return Check(core, exact)
-
-
-def engine_names() -> list[str]:
-    """The engines that `cross_check` knows."""
-    return _core.engine_names()
-
-
-def engine_parameters(engine: str) -> list[_core.Parameter]:
-    """What may be chosen of an engine.
-
-    Examples
-    --------
-    >>> import plumbline
-    >>> [p.name for p in plumbline.engine_parameters("inters")]
-    ['radius', 'decimals', 'result']
-    """
-    return _core.engine_parameters(engine)
-
-
 def _tolerance(value: Number | None) -> float | None:
     return None if value is None else nearest_size("the tolerance", value)
 
@@ -494,39 +378,3 @@ def _warn_of_losses(answer: Answer) -> None:
             f"{count} of the result cannot be read; the first, {lost[0].source.element} in line "
             f"{lost[0].source.line}: {lost[0].reason}"
         )
-
-
-def _engine_of_variant(engine: str, variant: str | None) -> str:
-    if variant is None:
-        return engine
-    by_name = {"published": "inters", "repaired": "lar"}
-    if variant not in by_name:
-        raise Error(f'variants are "published" and "repaired": {variant!r}')
-    if engine not in ("lar", by_name[variant]):
-        raise Error(f"a variant is not of the engine {engine}: {variant!r}")
-    return by_name[variant]
-
-
-def _setting(name: str, value: Number | None) -> str:
-    if isinstance(value, str):
-        return value
-    if value is None or isinstance(value, bool):
-        raise Error(f"the parameter {name} has a number or a text: {value!r}")
-    try:
-        return exact_text(value)
-    except ValueError as error:
-        raise Error(f"the parameter {name}: {error}") from None
-
-
-def _svg_file(of: Lines, engine: str) -> str:
-    if engine != "inters":
-        raise Error(f"svg2lines belongs to the engine inters: {engine!r}")
-    if not isinstance(of, Drawing) or len(of.files) != 1:
-        raise Error("svg2lines needs a drawing that was read from an SVG file")
-    return of.files[0]
-
-
-def _mapped(of: Arrangement, threads: int) -> Arrangement:
-    """The drawing mapped to the unit square, arranged."""
-    lines = Lines(_core.on_unit_square(of.lines._core), of.lines.numbers)
-    return Arrangement(_core.arrange(lines._core, False, threads, None), lines)

@@ -31,7 +31,8 @@ from plumbline._whole import count, threads_of, whole
 from plumbline.arrangement import arrange as exact_arrangement
 from plumbline.drawing import read
 from plumbline.errors import Error, FileError
-from plumbline.lines import Lines, LinesLike, lines
+from plumbline.line_inputs import lines
+from plumbline.lines import Lines, LinesLike
 from plumbline.lists import Lists
 from plumbline.maps import Map, r, s, t
 from plumbline.models import CellsLike, LarModel, ModelLike, as_model, starts_and_indices

@@ -19,7 +19,8 @@ from plumbline._warnings import warn_of_loss
 from plumbline._whole import optional_count
 from plumbline.arrangement import Arrangement, arrange
 from plumbline.errors import Error
-from plumbline.lines import Lines, LinesLike, ensure_utf8, lines
+from plumbline.line_inputs import ensure_utf8, lines
+from plumbline.lines import Lines, LinesLike
 from plumbline.lists import Lists
 from plumbline.write import refuse_to_overwrite
 

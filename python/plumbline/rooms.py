@@ -17,7 +17,8 @@ from plumbline._tables import to_geodataframe
 from plumbline._whole import optional_count, threads_of
 from plumbline.arrangement import Arrangement, arrange
 from plumbline.errors import Error
-from plumbline.lines import Lines, LinesLike, lines
+from plumbline.line_inputs import lines
+from plumbline.lines import Lines, LinesLike
 
 if TYPE_CHECKING:
     from fractions import Fraction
