@@ -3,35 +3,35 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal, Union
 
 from plumbline import _core
 from plumbline._cached import cached
-from plumbline._json import dumped
 from plumbline._notebook import drawn, framed
 from plumbline._numbers import Number, Numbers
 from plumbline._sizes import names, size_text
 from plumbline._tables import to_geodataframe
-from plumbline._warnings import warn_of_loss
 from plumbline._whole import optional_count
 from plumbline.arrangement import Arrangement, arrange
 from plumbline.errors import Error
-from plumbline.line_inputs import ensure_utf8, lines
+from plumbline.line_inputs import lines
 from plumbline.lines import Lines, LinesLike
 from plumbline.lists import Lists
-from plumbline.write import refuse_to_overwrite
 
 if TYPE_CHECKING:
     from geopandas import GeoDataFrame
+from plumbline._drawing_files import (
+    _FEATURE_FORMATS,
+    _drawing_text,
+    _ensure_none,
+    _is_decimal,
+    _write,
+)
 
 Tolerance = Union[Number, Literal["auto", "off"], bool]
 """A size in drawing units; "auto": chosen from the drawing; 0, False or "off": none."""
-
-_FEATURE_FORMATS = ("geojson", "topojson", "dxf", "wkt", "csv", "wkb")
-_FORMATS = ("lines", *_FEATURE_FORMATS, "svg")
 
 
 class Repair:
@@ -252,85 +252,6 @@ class Repair:
         return f"<Repair: {self._core.line()}>"
 
 
-class Undone(Lines):
-    """The drawing that was repaired, made of the repaired one by `plumbline.undo`."""
-
-    def __init__(self, core: _core.SegmentSet, repaired: Lines) -> None:
-        super().__init__(core, repaired.numbers)
-        self._repaired = repaired
-
-    def write(self, path: str | os.PathLike[str], *, format: str | None = None) -> None:
-        """Writes the drawing, as `Repair.write` does, into the file of the repaired one."""
-        _write(self, path, format)
-
-    @property
-    def _patched(self) -> Lines:
-        """The drawing whose file is written with changes."""
-        return self._repaired
-
-    def _written(self, format: str, **options: Any) -> str | bytes:
-        _ensure_none(options)
-        return _drawing_text(format, self._patched, self)
-
-    def __getstate__(self) -> tuple[Any, ...]:
-        return (*super().__getstate__(), self._repaired)
-
-    def __setstate__(self, state: tuple[Any, ...]) -> None:
-        core, numbers, self._repaired = state
-        super().__setstate__((core, numbers))
-
-
-def _is_decimal(value: Fraction) -> bool:
-    rest = value.denominator
-    for factor in (2, 5):
-        while rest % factor == 0:
-            rest //= factor
-    return rest == 1
-
-
-def _ensure_none(options: Mapping[str, Any]) -> None:
-    if options:
-        raise Error(f"a drawing is written without these options: {', '.join(options)}")
-
-
-def _drawing_text(format: str, source: Lines, output: Lines) -> str | bytes:
-    """A drawing made of another one: in the file that this was read from, as far as that goes."""
-    read_from = getattr(source, "_read_from", None)
-    if format in ("dxf", "svg") and read_from is not None:
-        patched = _core.patched_file(*_file_first(read_from, format), source._core, output._core)
-        if not patched.why_not:
-            return patched.text
-        warn_of_loss(f"lines alone are written, of all elements: {patched.why_not}")
-    if format == "lines":
-        return _core.exact_lines(output._core)
-    if format == "svg":
-        return _core.picture_of_lines(output._core)
-    if format in _FEATURE_FORMATS:
-        return _core.line_table(output._core).written(format)
-    raise Error(f"a drawing is written as {', '.join(_FORMATS)}: {format!r}")
-
-
-def _file_first(
-    read_from: tuple[str, _core.ReadOptions], format: str
-) -> tuple[str, str, _core.ReadOptions]:
-    return read_from[0], format, read_from[1]
-
-
-def _write(
-    what: Repair | Undone,
-    path: str | os.PathLike[str],
-    format: str | None,
-    **options: Any,
-) -> None:
-    file = os.fspath(path)
-    refuse_to_overwrite(what, file)
-    if not isinstance(format, str) and format is not None:
-        raise Error(f"a format is a name: {format!r}")
-    chosen = format or os.path.splitext(file)[1].lstrip(".").lower()
-    text = what._written(chosen, **options)
-    _core.write_file(file, text.encode() if isinstance(text, str) else text)
-
-
 def repair(
     drawing: LinesLike,
     /,
@@ -489,62 +410,3 @@ def compare_rules(
 
 def _signature(of: Lines) -> str:
     return _core.rounded_signature(of._core)
-
-
-def undo(output: LinesLike, log: Repair | str | os.PathLike[str] | Mapping[str, Any], /) -> Undone:
-    """The drawing that was repaired, of the repaired one.
-
-    Parameters
-    ----------
-    output : whatever `lines` takes
-        The repaired drawing, in any format: its segments are known by the nearest doubles of their
-        ends.
-    log : Repair, path, text or mapping
-        The repair; or what `Repair.to_json` says: a file, the text itself, or what the json module
-        makes of it.
-
-    Returns
-    -------
-    Undone
-        Lines with the sources that the input had. Its method ``write`` puts them into the file
-        that `output` was read from.
-
-    Raises
-    ------
-    Error
-        Where this is not the drawing that the repair made, where the log does not lead back, and
-        for what is no log, with its place.
-
-    Examples
-    --------
-    >>> import plumbline
-    >>> fixed = plumbline.repair([(0, 0, 3, 0), (1, 1, 1, "0.01")], grow="0.1")
-    >>> list(plumbline.undo(fixed.output, fixed.to_json())) == list(fixed.input)
-    True
-    """
-    repaired = lines(output)
-    return Undone(_core.undo(repaired._core, _log_of(log)), repaired)
-
-
-def _log_of(log: Repair | str | os.PathLike[str] | Mapping[str, Any]) -> _core.RepairLog:
-    if isinstance(log, Repair):
-        return _core.repair_log(log.input._core, log._core)
-    if isinstance(log, Mapping):
-        return _log_of_text(dumped(log))
-    if isinstance(log, str) and log.lstrip().startswith("{") and not os.path.exists(log):
-        return _log_of_text(ensure_utf8(log))
-    if not isinstance(log, (str, os.PathLike)):
-        raise Error(f"a log is a Repair, a path, a text or a mapping: {type(log).__name__}")
-    return _core.read_repair_log(os.fspath(log))
-
-
-def _log_of_text(text: str) -> _core.RepairLog:
-    with tempfile.TemporaryDirectory() as folder:
-        file = os.path.join(folder, "log.json")
-        with open(file, "w", encoding="utf-8") as stream:
-            stream.write(text)
-        try:
-            return _core.read_repair_log(file)
-        except Error as error:
-            message = str(error).replace(file, "<log>")
-            raise Error(message, "<log>", error.line, error.column, error.text) from None
