@@ -24,9 +24,10 @@ from plumbline.models import LarModel
 from plumbline.noding import node, polygonize, polygonize_full
 from plumbline.points import Points
 from plumbline.polygons import FacePolygons, Triangles, triangulate
-from plumbline.repair import Repair, compare_rules, repair
+from plumbline.repair import Repair, repair
 from plumbline.rooms import Rooms, rooms
 from plumbline.rounding import RoundedArrangement, snap_round
+from plumbline.rules import compare_rules
 from plumbline.sourced import Sourced
 from plumbline.structure import Struct, Structure, box, evaluate
 from plumbline.undo import Undone, undo

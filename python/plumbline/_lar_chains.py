@@ -17,7 +17,7 @@ from plumbline.models import CellsLike, LarModel, ModelLike, as_model, starts_an
 
 if TYPE_CHECKING:
     import scipy.sparse
-from plumbline._lar_lines import Floats
+from plumbline._lar_runs import Floats
 
 
 def larBoundary(cells: CellsLike, facets: CellsLike) -> scipy.sparse.csc_array:

@@ -15,7 +15,7 @@ from plumbline.structure import Struct, StructLike, Structure, as_structure
 
 if TYPE_CHECKING:
     pass
-from plumbline._lar_lines import _DECIMALS
+from plumbline._lar_runs import _DECIMALS
 
 
 def evalStruct(struct: StructLike) -> list[LarModel]:

@@ -28,9 +28,7 @@ from plumbline._lar_chains import (
     to_julia,
 )
 from plumbline._lar_lines import (
-    Floats,
     Result,
-    _double,
     arrange,
     larFromLines,
     larSimplify,
@@ -38,6 +36,7 @@ from plumbline._lar_lines import (
     stages,
     svg2lines,
 )
+from plumbline._lar_runs import Floats, _double
 from plumbline._lar_structures import (
     checkStruct,
     embedStruct,

@@ -390,23 +390,3 @@ def _made(of: Lines, options: Mapping[str, Any]) -> Repair:
     for name, value in options.items():
         setattr(core_options, name, value)
     return Repair(_core.repair(of._core, core_options), of, options)
-
-
-def compare_rules(
-    drawing: Arrangement | LinesLike, repair: Repair, tolerance: Number | None = None
-) -> list[_core.RuleOutcome]:
-    """What rules in use make of a drawing, beside its repair: see `Repair.compare_rules`.
-
-    Raises
-    ------
-    Error
-        Where the repair is one of another drawing.
-    """
-    of = lines(drawing.lines if isinstance(drawing, Arrangement) else drawing)
-    if of is not repair.input and _signature(of) != _signature(repair.input):
-        raise Error("the repair is one of another drawing")
-    return repair.compare_rules(tolerance)
-
-
-def _signature(of: Lines) -> str:
-    return _core.rounded_signature(of._core)
