@@ -14,6 +14,7 @@ from plumbline.cross_check import cross_check, engine_names, engine_parameters
 from plumbline.diagnosis import Defect, Diagnosis, InvalidRing, Opening, diagnose, validity
 from plumbline.drawing import Drawing, read
 from plumbline.errors import Error, FileError, InternalError, LimitError, LossWarning
+from plumbline.evaluation import box, evaluate
 from plumbline.ladder import Ladder, LadderStep, ladder
 from plumbline.lar import random_lines
 from plumbline.line_inputs import lines
@@ -29,7 +30,7 @@ from plumbline.rooms import Rooms, rooms
 from plumbline.rounding import RoundedArrangement, snap_round
 from plumbline.rules import compare_rules
 from plumbline.sourced import Sourced
-from plumbline.structure import Struct, Structure, box, evaluate
+from plumbline.structure import Struct, Structure
 from plumbline.undo import Undone, undo
 from plumbline.write import write
 

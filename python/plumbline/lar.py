@@ -49,8 +49,9 @@ from plumbline._lar_structures import (
 from plumbline._numbers import Number
 from plumbline._whole import count, whole
 from plumbline.errors import Error
+from plumbline.evaluation import box
 from plumbline.maps import Map, r, s, t
-from plumbline.structure import Struct, box
+from plumbline.structure import Struct
 
 if TYPE_CHECKING:
     pass

@@ -4,21 +4,27 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Union
-
-import numpy as np
 
 from plumbline import _core
 from plumbline._cached import cached
 from plumbline._numbers import Numbers
-from plumbline._reading import Reading, structure_read
+from plumbline._reading import Reading
+from plumbline._struct_making import (
+    _compiled,
+    _item,
+    _rows,
+    _struct_of,
+    _struct_of_rows,
+    _structure_of,
+    _structure_read,
+)
 from plumbline._tree import plural, title, tree_rows
 from plumbline.errors import Error
 from plumbline.lines import Lines, _warn_of_losses
 from plumbline.maps import Map
-from plumbline.models import LarModel, ModelLike, as_model
+from plumbline.models import LarModel, ModelLike
 
 BodyItem = Union["Struct", LarModel, Map, Lines, _core.Element]
 ExactBox = tuple[tuple[Fraction, ...], tuple[Fraction, ...]]
@@ -265,6 +271,8 @@ class Structure:
 
     def evaluate(self, *, numbers: Numbers = "decimals") -> Lines:
         """Its lines, as `plumbline.evaluate` has them."""
+        from plumbline.evaluation import evaluate
+
         return evaluate(self, numbers=numbers)
 
     def view(self) -> Lines:
@@ -362,70 +370,6 @@ class Structure:
         return f"<Structure: {plural(n, 'struct')}, {plural(self.instances, 'model')} evaluated>"
 
 
-def evaluate(
-    struct: StructLike | Lines, *, numbers: Numbers = "decimals", category: str | None = None
-) -> Lines:
-    """The lines of a hierarchy of the plane: every model under the maps above it, exactly.
-
-    Parameters
-    ----------
-    struct : Struct, Structure, Drawing or model
-        Of a model its last array of cells with more than one vertex is drawn: edges, or cells as
-        the polygons of their vertices in order, else as their convex hulls.
-    numbers : {"decimals", "doubles"}
-        "doubles": what those get who read the numbers of the structure as doubles, and then
-        compute exactly.
-    category : str, optional
-        Only what stands within Structs of this category.
-
-    Returns
-    -------
-    Lines
-        In traversal order, each model an item whose path names the Structs above it. `ledger` has
-        the rotations that are not exactly those asked for.
-
-    Raises
-    ------
-    Error
-        For items of different dimensions, of others than 2; LimitError for results of more than
-        2 GB.
-
-    Examples
-    --------
-    >>> import plumbline
-    >>> edge = ([(0, 0), (1, 0)], [[0, 1]])
-    >>> plumbline.evaluate(plumbline.Struct([plumbline.t("1/3", 0), edge])).exact(0)
-    ((Fraction(1, 3), Fraction(0, 1)), (Fraction(4, 3), Fraction(0, 1)))
-    """
-    if numbers not in ("decimals", "doubles"):
-        raise Error(f'numbers are "doubles" or "decimals": {numbers!r}')
-    structure = as_structure(struct)
-    if category is not None:
-        structure = structure.of_category(category)
-    result = Lines(structure._core.evaluate(numbers == "doubles"), numbers)
-    _warn_of_losses(result)
-    return result
-
-
-def box(struct: StructLike | Lines) -> ExactBox | None:
-    """The least axis-parallel box of all vertices, after all maps: (low, high), exactly; None where
-    there are no vertices.
-
-    Notes
-    -----
-    Exact under rotations, too, where larstruct's box of a nested Struct maps two corners.
-
-    Examples
-    --------
-    >>> import plumbline
-    >>> diagonal = plumbline.Struct([plumbline.r(degrees=45), ([(0, 0), (1, 1)], [[0, 1]])])
-    >>> low, high = plumbline.box(diagonal)
-    >>> abs(float(high[1]) - 2**0.5) < 1e-15
-    True
-    """
-    return as_structure(struct).box
-
-
 def as_structure(struct: StructLike | Lines) -> Structure:
     """A structure of whatever stands for one.
 
@@ -442,130 +386,3 @@ def as_structure(struct: StructLike | Lines) -> Structure:
     if isinstance(structure, Structure):  # of a Drawing
         return structure
     return Struct([struct]).structure
-
-
-def _item(item: Any, numbers: Numbers) -> BodyItem:
-    """An item of a body as what it stands for."""
-    if isinstance(item, (Struct, LarModel, Map, _core.Element)):
-        return item
-    if isinstance(item, Structure):
-        return item.root
-    if isinstance(item, Lines):
-        structure = getattr(item, "structure", None)
-        return structure.root if isinstance(structure, Structure) else item
-    if isinstance(item, np.ndarray) and item.ndim == 2 and item.shape[0] == item.shape[1]:
-        return Map(item, numbers=numbers)
-    if isinstance(item, (tuple, list)):
-        return as_model(item, numbers)
-    raise Error(
-        f"a body holds models (V, CV), maps, Structs and Lines: {type(item).__name__} {item!r:.60}"
-    )
-
-
-def _compiled(root: Struct) -> _core.Structure:
-    """The Structs that Python made, each once, and the structures that others are part of."""
-    core = _core.Structure("<struct>")
-    numbers: dict[int, int] = {}
-    starts: dict[int, int] = {}  # of structures that were appended
-
-    def number_of(struct: Struct) -> int:
-        if struct._owner is None:
-            return numbers[id(struct)]
-        owner = struct._owner
-        if id(owner) not in starts:
-            starts[id(owner)] = core.append(owner._core)
-        return starts[id(owner)] + struct._number
-
-    for struct in _children_first(root):
-        parts = [number_of(item) for item in struct.body if isinstance(item, Struct)]
-        number = core.add_struct(struct.name, struct.category)
-        numbers[id(struct)] = number
-        part = iter(parts)
-        for item in struct.body:
-            if isinstance(item, Struct):
-                core.add_reference(number, next(part))
-            else:
-                _add(core, number, item)
-    core.set_root(numbers[id(root)])
-    return core
-
-
-def _children_first(root: Struct) -> Iterator[Struct]:
-    """The Structs that Python made, without recursion, each once."""
-    seen = {id(root)}
-    way = [(root, iter(root.body))]
-    while way:
-        struct, rest = way[-1]
-        for item in rest:
-            if isinstance(item, Struct) and item._owner is None and id(item) not in seen:
-                seen.add(id(item))
-                way.append((item, iter(item.body)))
-                break
-        else:
-            way.pop()
-            yield struct
-
-
-def _add(core: _core.Structure, number: int, item: BodyItem) -> None:
-    if isinstance(item, Map):
-        if item.degrees is not None:
-            core.add_turn(number, str(item.degrees))
-        else:
-            core.add_map(number, item._core, repr(item), str(item.bound))
-    elif isinstance(item, LarModel):
-        core.add_model(number, item._core)
-    elif isinstance(item, Lines):
-        core.add_lines(number, item._core)
-    elif isinstance(item, _core.Element):
-        core.add_element(number, item)
-
-
-# Pickled.
-
-
-def _structure_of(struct: Struct) -> Structure:
-    return struct.structure
-
-
-def _structure_read(*state: Any) -> Structure:
-    return Structure(*structure_read(*state))
-
-
-def _struct_of(owner: Structure, number: int) -> Struct:
-    return owner._struct(number)
-
-
-Row = tuple[str, str, list[Any]]
-"""A Struct: name, category, items, those that Python made as `_Reference`."""
-
-
-@dataclass(frozen=True)
-class _Reference:
-    row: int
-
-
-def _rows(root: Struct) -> list[Row]:
-    """The Structs that Python made below one, and itself last: pickled without recursion."""
-    number: dict[int, int] = {}
-    rows: list[Row] = []
-    for struct in _children_first(root):
-        items: list[Any] = []
-        for item in struct.body:
-            if isinstance(item, _core.Element):
-                raise TypeError(
-                    "a Struct with elements of a drawing cannot be pickled: put the drawing's "
-                    "Struct, or its lines, into it"
-                )
-            is_row = isinstance(item, Struct) and item._owner is None
-            items.append(_Reference(number[id(item)]) if is_row else item)
-        number[id(struct)] = len(rows)
-        rows.append((struct.name, struct.category, items))
-    return rows
-
-
-def _struct_of_rows(rows: list[Row]) -> Struct:
-    made: list[Struct] = []
-    for name, category, items in rows:
-        body = [made[item.row] if isinstance(item, _Reference) else item for item in items]
-        made.append(Struct(body, name, category))
-    return made[-1]
