@@ -72,6 +72,13 @@ def test_numbers_alone_are_compared_where_nothing_else_is_known() -> None:
     assert judge(reply, Numbers(3, 5, 3), 0.0, 1.0).kind == "numbers of cells"
 
 
+def test_of_faces_alone_the_number_of_faces_is_compared() -> None:
+    faces = Reply("model", 0.1, {"V": RIGHT["V"], "polygons": RIGHT["polygons"]})
+    assert judge(faces, Numbers(6, 7, 3), 0.0, 1.0).outcome == "moved"  # a dangling edge, another
+    assert judge(faces, Numbers(4, 5, 2), 0.0, 1.0).kind == "numbers of cells"
+    assert judge(Reply("model", 0.1, RIGHT), Numbers(6, 7, 3), 0.0, 1.0).outcome == "topology"
+
+
 def configuration(kind: str, value: float) -> Configuration:
     return Configuration("e", "E", "1", "e", "c", "C", kind, value, "")  # type: ignore[arg-type]
 
