@@ -45,6 +45,8 @@ class Configuration:
     tolerance_kind: Literal["none", "grid", "snap"]
     tolerance: float
     source: str
+    promise: str = ""
+    """What the tolerance promises, where it is something else than its kind alone says."""
 
     @property
     def key(self) -> tuple[str, str, str]:
@@ -103,6 +105,7 @@ def listing(adapter: Path, timeout: float = 60.0) -> list[Configuration]:
                 c["tolerance"]["kind"],
                 float(c["tolerance"].get("value") or 0),
                 c.get("source", ""),
+                c["tolerance"].get("promise", ""),
             )
             for c in said["configurations"]
         ]

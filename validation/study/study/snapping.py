@@ -37,6 +37,26 @@ def snap_rounded(segments: Sequence[Doubles], grid: Fraction) -> list[ExactSegme
     return [(a[0] * grid, a[1] * grid, b[0] * grid, b[1] * grid) for a, b in sorted(pieces)]
 
 
+def snap_rounded_down(segments: Sequence[Doubles], grid: Fraction) -> list[ExactSegment]:
+    """What is promised where coordinates are integers: ends are on the grid before anything else,
+    rounded to the nearest with ties away from 0, and crossings are rounded down, so that the pixel
+    of a point has it as its lower left corner."""
+    on_grid = [[_rounded_away(Fraction(c) / grid) for c in s] for s in segments]
+    shifted = [_four_doubles([c - 0.5 for c in s]) for s in on_grid]  # exact: below 2^52
+    pieces = snap_rounded([s for s in shifted if s[:2] != s[2:]], Fraction(1))
+    return [(a * grid, b * grid, c * grid, d * grid) for a, b, c, d in pieces]
+
+
+def _rounded_away(value: Fraction) -> int:
+    away = floor(abs(value) + _HALF)
+    return away if value >= 0 else -away
+
+
+def _four_doubles(values: Sequence[float]) -> Doubles:
+    a, b, c, d = values
+    return (a, b, c, d)
+
+
 def _near(ends: Sequence[Fraction], centres: np.ndarray) -> list[int]:
     """Pixels whose centres are within 1 of the line and of the box, with a margin for rounding:
     candidates, of which exact numbers decide."""

@@ -21,7 +21,7 @@ from plumbline import Arrangement
 from study.engines import Configuration
 from study.families import Case, ExactSegment, largest_coordinate
 from study.nearness import Nearness
-from study.snapping import snap_rounded
+from study.snapping import snap_rounded, snap_rounded_down
 
 _COARSE = 2.0**-44  # of the largest coordinate: spacings of grids that doubles tell well apart
 _WELL_APART = 1000  # units of rounding, from which on doubles tell distances well enough
@@ -47,7 +47,7 @@ class Truths:
     def __init__(self, case: Case) -> None:
         self._case = case
         self._fit: dict[int, bool] = {}  # by identity of arrangements, which live as long as this
-        self._contracts: dict[tuple[str, float], Arrangement | Numbers | None] = {}
+        self._contracts: dict[tuple[str, float, str], Arrangement | Numbers | None] = {}
 
     @cached_property
     def doubles(self) -> Arrangement:
@@ -77,15 +77,16 @@ class Truths:
 
     def contract(self, of: Configuration) -> Arrangement | Numbers | None:
         """None where the engine promises nothing else than the doubles, or it is not known."""
-        key = (of.tolerance_kind, of.tolerance)
+        key = (of.tolerance_kind, of.tolerance, of.promise)
         if of.tolerance_kind == "none" or of.tolerance <= 0:
             return None
         if key not in self._contracts:
             if of.tolerance_kind == "grid":
                 if of.tolerance < _COARSE * largest_coordinate(self._case):
                     return None  # doubles hardly tell points of the grid apart
-                rounded = snap_rounded(self._case.segments, Fraction(repr(of.tolerance)))
-                self._contracts[key] = _arranged(rounded)
+                round_to = snap_rounded_down if of.promise == "integers" else snap_rounded
+                rounded = round_to(self._case.segments, Fraction(repr(of.tolerance)))
+                self._contracts[key] = _arranged(rounded) if rounded else None
             else:
                 self._contracts[key] = self._fallen_together(of.tolerance)
         return self._contracts[key]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction as F
 from typing import Any
 
@@ -10,7 +11,7 @@ import pytest
 from study.engines import Configuration, Reply
 from study.families import Case, Family, Unit, case_of, fan, tees, turned_grid, turned_rooms
 from study.outcomes import judge, judgements
-from study.snapping import snap_rounded
+from study.snapping import snap_rounded, snap_rounded_down
 from study.truths import Numbers, Truths
 
 SQUARE = [(0.0, 0.0, 2.0, 0.0), (2.0, 0.0, 2.0, 2.0), (2.0, 2.0, 0.0, 2.0), (0.0, 2.0, 0.0, 0.0)]
@@ -122,6 +123,23 @@ def test_a_grid_promises_the_snap_rounded_complex() -> None:
     truth = Truths(case).contract(configuration("grid", 1.0))
     assert isinstance(truth, plumbline.Arrangement)
     assert truth.signature == plumbline.arrange(pieces).signature
+
+
+def test_integers_promise_ends_on_the_grid_and_crossings_rounded_down() -> None:
+    cross = [(0.0, 0.0, 3.0, 3.0), (0.0, 3.0, 3.0, 0.0)]  # at 1.5
+    down = [(0, 0, 1, 1), (0, 3, 1, 1), (1, 1, 3, 0), (1, 1, 3, 3)]
+    assert snap_rounded_down(cross, F(1)) == [tuple(map(F, s)) for s in down]
+    # Ends are rounded first.
+    near = [(0.4, 0.0, 3.0, 3.0), (-0.4, 0.0, 0.6, 0.0)]
+    assert snap_rounded_down(near, F(1)) == [tuple(map(F, s)) for s in ((0, 0, 1, 0), (0, 0, 3, 3))]
+    ties = snap_rounded_down([(-0.5, 0.5, 2.5, -1.5)], F(1))
+    assert ties == [tuple(map(F, (-1, 1, 3, -2)))]  # away from 0, as std::round
+    case = Case(Unit("cross", 0, "unit", 0), None, [], cross)
+    of_integers = replace(configuration("grid", 1.0), promise="integers")
+    truths = Truths(case)
+    truth, nearest = truths.contract(of_integers), truths.contract(configuration("grid", 1.0))
+    assert isinstance(truth, plumbline.Arrangement) and isinstance(nearest, plumbline.Arrangement)
+    assert (F(1), F(1)) in truth.points and (F(2), F(2)) in nearest.points
 
 
 def test_a_snap_distance_promises_numbers_of_cells() -> None:

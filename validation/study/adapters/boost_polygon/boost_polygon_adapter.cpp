@@ -62,7 +62,8 @@ study::Configuration configuration(const std::string& name, double scale) {
           "grid",
           1 / scale,
           "segment concept: intersect_segments, on integral coordinates, which the user scales",
-          with_scale(scale)};
+          with_scale(scale),
+          "integers"};
 }
 
 }  // namespace

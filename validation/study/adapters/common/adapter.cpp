@@ -140,8 +140,9 @@ std::string listed(const Engine& engine) {
   out += ", \"configurations\": " + list(engine.configurations, [](const Configuration& c) {
            return "{\"name\": " + quoted(c.name) + ", \"title\": " + quoted(c.title) +
                   ", \"tolerance\": {\"kind\": " + quoted(c.tolerance_kind) +
-                  ", \"value\": " + decimals(c.tolerance) + "}, \"source\": " + quoted(c.source) +
-                  "}";
+                  ", \"value\": " + decimals(c.tolerance) +
+                  (c.promise.empty() ? "" : ", \"promise\": " + quoted(c.promise)) +
+                  "}, \"source\": " + quoted(c.source) + "}";
          });
   return out + "}";
 }

@@ -53,7 +53,8 @@ class EngineError : public std::runtime_error {
 };
 
 // One way to call an engine. `run` gets segments of which none is of length 0. `tolerance_kind` is
-// none, grid or snap; `source` says where the engine's own documentation has this way.
+// none, grid or snap; `source` says where the engine's own documentation has this way; `promise`,
+// if it is not empty, what the tolerance promises, as ../README.md has it.
 struct Configuration {
   std::string name;
   std::string title;
@@ -61,6 +62,7 @@ struct Configuration {
   double tolerance;
   std::string source;
   std::function<Model(const std::vector<Segment>&, Clock&)> run;
+  std::string promise = "";
 };
 
 // `algorithm` is what counts as one independent engine: wrappers of one share it.
