@@ -90,7 +90,7 @@ def tolerance_of(case: Case, name: str, of: Configuration) -> float:
     """Within which vertices of an answer match those of a truth: what the engine may move, what
     rounding moved of what was meant, and no less than `plumbline.check` has by itself."""
     own = _own_tolerance(case)
-    if name == "contract":
+    if name == "contract" and of.tolerance_kind == "grid":
         # On the grid's own points; a neighbour of the right one does not match.
         return max(of.tolerance / 4, _OF_LARGEST * largest_coordinate(case))
     return max(own, of.tolerance, 4 * _rounding(case) if name == "intended" else 0.0)

@@ -3,8 +3,9 @@
 - *authored*: the drawing's numbers as a file would hold them;
 - *doubles*: the numbers that the engine was given, each a double, as what they are;
 - *intended*: what was meant before rounding, where the family knows it;
-- *contract*: what the engine's own tolerance promises: of a grid the snap rounded complex, of a
-  snap distance the numbers of cells that the tolerance ladder has.
+- *contract*: what the engine's own tolerance promises: of a grid the snap rounded complex; of a
+  snap distance that all nearer things are one, and nothing else. Whether two things near *that*
+  distance are one, engines may read differently; there is no contract where that matters.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from study.snapping import snap_rounded, snap_rounded_down
 _COARSE = 2.0**-44  # of the largest coordinate: spacings of grids that doubles tell well apart
 _WELL_APART = 1000  # units of rounding, from which on doubles tell distances well enough
 _MANY = 2000  # pairs that are near
+_READINGS = 4  # times a snap distance, or that part: tolerances of two things may add up, for one
 
 
 class Disagreement(Exception):
@@ -88,7 +90,7 @@ class Truths:
                 rounded = round_to(self._case.segments, Fraction(repr(of.tolerance)))
                 self._contracts[key] = _arranged(rounded) if rounded else None
             else:
-                self._contracts[key] = self._fallen_together(of.tolerance)
+                self._contracts[key] = self._fallen_together(of.tolerance, of.promise)
         return self._contracts[key]
 
     @cached_property
@@ -129,13 +131,20 @@ class Truths:
             if other.signature != of.signature:
                 raise Disagreement(f"{self._case.unit}: {of!r}, {other!r}")
 
-    def _fallen_together(self, distance: float) -> Numbers | None:
-        """What the ladder says; None where so much is near that it would take long."""
-        if not self.nearness.is_known or self.nearness.count_within(distance) > _MANY:
+    def _fallen_together(self, distance: float, promise: str) -> Arrangement | Numbers | None:
+        """The doubles' arrangement, where nothing is near; else what the ladder says. None where it
+        would take long, where something is about as near as the distance, or where the engine
+        promises of near things only that some are one."""
+        farthest = _READINGS * distance
+        if not self.nearness.is_known or self.nearness.count_within(farthest) > _MANY:
             return None
-        ladder = plumbline.ladder(self.doubles, max_steps=10**6, largest_radius=distance)
-        steps = [step for step in ladder.steps if step.radius <= distance]
-        last = steps[-1] if steps else self.doubles.counts
+        ladder = plumbline.ladder(self.doubles, max_steps=10**6, largest_radius=farthest)
+        steps = [step for step in ladder.steps if step.radius <= farthest]
+        if not steps:
+            return self.doubles
+        last = steps[-1]
+        if promise == "some" or last.radius > distance / _READINGS:
+            return None
         return Numbers(last.vertices, last.edges, last.faces)
 
 

@@ -142,11 +142,16 @@ def test_integers_promise_ends_on_the_grid_and_crossings_rounded_down() -> None:
     assert (F(1), F(1)) in truth.points and (F(2), F(2)) in nearest.points
 
 
-def test_a_snap_distance_promises_numbers_of_cells() -> None:
+def test_a_snap_distance_promises_what_all_readings_of_it_agree_about() -> None:
     drawing = [(0.0, 0.0, 2.0, 0.0), (2.01, 0.0, 4.0, 2.0), (4.0, 2.0, 0.0, 0.0)]
     truths = Truths(Case(Unit("gap", 0, "unit", 0), None, [], drawing))
-    assert truths.contract(configuration("snap", 0.02)) == Numbers(3, 3, 2)
-    assert truths.contract(configuration("snap", 0.005)) == Numbers(4, 3, 1)
+    assert truths.contract(configuration("snap", 0.05)) == Numbers(3, 3, 2)
+    for about_as_large in (0.03, 0.01, 0.003):
+        assert truths.contract(configuration("snap", about_as_large)) is None
+    assert truths.contract(configuration("snap", 0.002)) is truths.doubles
+    some = replace(configuration("snap", 0.05), promise="some")
+    assert truths.contract(some) is None
+    assert truths.contract(replace(some, tolerance=0.002)) is truths.doubles
     assert truths.contract(configuration("none", 0)) is None
     assert truths.feature_size == pytest.approx(0.01)
 

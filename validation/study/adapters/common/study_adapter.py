@@ -53,7 +53,8 @@ class Configuration:
 
     `run` gets segments, rows ax, ay, bx, by, of which none is of length 0, and returns a model.
     `tolerance` is ("none", 0), ("grid", its distance) or ("snap", the distance); `source` says
-    where the engine's own documentation has this way.
+    where the engine's own documentation has this way; `promise`, if it is not empty, what the
+    tolerance promises, as ../README.md has it.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Configuration:
     tolerance: tuple[str, float]
     source: str
     run: Callable[[Floats, Clock], Model]
+    promise: str = ""
 
 
 @dataclass(frozen=True)
@@ -80,7 +82,8 @@ class Engine:
             {
                 "name": c.name,
                 "title": c.title,
-                "tolerance": {"kind": c.tolerance[0], "value": c.tolerance[1]},
+                "tolerance": {"kind": c.tolerance[0], "value": c.tolerance[1]}
+                | ({"promise": c.promise} if c.promise else {}),
                 "source": c.source,
             }
             for c in self.configurations

@@ -129,6 +129,7 @@ CONFIGURATIONS = [
         "v.clean manual: what was snapped may need break, rmdupl; "
         "order of the tools as in the manual's examples",
         cleaned_by("snap,break,rmdupl", f"{SNAP!r},0,0"),
+        promise="some",  # vertices of the input that are near each other
     ),
     Configuration(
         "break-snap-1e-9-break",
@@ -136,6 +137,7 @@ CONFIGURATIONS = [
         ("snap", SNAP),
         "v.clean manual: snap joins vertices to vertices only, so crossings are to be there",
         cleaned_by("break,snap,break,rmdupl", f"0,{SNAP!r},0,0"),
+        promise="some",  # vertices that are near each other, and not near edges
     ),
 ]
 
