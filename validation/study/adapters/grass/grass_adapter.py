@@ -28,8 +28,8 @@ from study_adapter import (
     serve,
 )
 
-DECIMALS = 20
-"""Of what GRASS prints: enough for doubles above 0.001."""
+DECIMALS = 32
+"""Of what GRASS prints, the most that it can: enough for doubles above 1e-15."""
 SNAP = 1e-9
 
 
@@ -41,8 +41,9 @@ def module(*arguments: str, given: str | None = None) -> str:
     return run.stdout
 
 
-def cleaned_by(tools: str, thresholds: str) -> Callable[[Floats, Clock], Model]:
-    clean = ["v.clean", "--q", "--o", "type=line", f"tool={tools}", f"threshold={thresholds}"]
+def cleaned_by(tools: str, thresholds: str, *flags: str) -> Callable[[Floats, Clock], Model]:
+    how = [*flags, "type=line", f"tool={tools}", f"threshold={thresholds}"]
+    clean = ["v.clean", "--q", "--o", *how]
 
     def run(segments: Floats, clock: Clock) -> Model:
         if not len(segments):
@@ -138,6 +139,15 @@ CONFIGURATIONS = [
         "v.clean manual: snap joins vertices to vertices only, so crossings are to be there",
         cleaned_by("break,snap,break,rmdupl", f"0,{SNAP!r},0,0"),
         promise="some",  # vertices that are near each other, and not near edges
+    ),
+    Configuration(
+        "combined-snap-1e-9",
+        "v.clean -c snap 1e-9",
+        ("snap", SNAP),
+        "v.clean manual, flag -c: 'combine tools with recommended follow-up tools', here break, "
+        "rmdupl, rmsa, repeated",
+        cleaned_by("snap", f"{SNAP!r}", "-c"),
+        promise="some",  # as above
     ),
 ]
 
