@@ -33,6 +33,7 @@ import org.locationtech.jts.operation.polygonize.Polygonizer;
 /** JTS's noders, one by one, each followed by its Polygonizer, by the protocol of ../README.md. */
 public final class JtsAdapter {
   private static final double SNAP = 1e-10;
+  private static final double MAGNITUDE_FACTOR = 1e-12;
   private static final double SCALE = 1e9; // of the grid 1e-9; 1 / 1e-9 is another double
   private static final GeometryFactory FACTORY = new GeometryFactory();
 
@@ -57,12 +58,19 @@ public final class JtsAdapter {
           new Configuration("snapping-1e-10", "SnappingNoder 1e-10", "snap", SNAP,
               "API: SnappingNoder, 'a factor of about 10e-12 smaller than the magnitude'",
               by(() -> new SnappingNoder(SNAP))),
+          new Configuration("snapping-1e-12", "SnappingNoder, 1e-12 of the magnitude", "none", 0,
+              "API: SnappingNoder, relative to the magnitude; OverlayNGRobust has this factor",
+              JtsAdapter::snappedByMagnitude),
           new Configuration("snap-rounding-1e-9", "SnapRoundingNoder 1e-9", "grid", 1 / SCALE,
               "API: SnapRoundingNoder with a fixed PrecisionModel",
               by(() -> new SnapRoundingNoder(new PrecisionModel(SCALE)))),
           new Configuration("overlayng-robust", "OverlayNGRobust.union", "none", 0,
               "API: OverlayNGRobust, floating first, then snapping, then snap rounding",
-              JtsAdapter::union));
+              segments -> piecesOf(OverlayNGRobust.union(lines(segments)))),
+          new Configuration("union", "Geometry.union", "none", 0,
+              "API: UnaryUnionOp, unions of lines are 'noded and dissolved'; the old overlay, "
+                  + "which is the default",
+              segments -> piecesOf(lines(segments).union())));
 
   private JtsAdapter() {}
 
@@ -189,12 +197,20 @@ public final class JtsAdapter {
     for (int k = 1; k < line.length; ++k) pieces.add(new Coordinate[] {line[k - 1], line[k]});
   }
 
-  private static List<Coordinate[]> union(double[] segments) {
+  private static List<Coordinate[]> snappedByMagnitude(double[] segments) {
+    double magnitude = java.util.Arrays.stream(segments).map(Math::abs).max().orElse(0);
+    return nodedBy(new SnappingNoder(MAGNITUDE_FACTOR * magnitude), segments);
+  }
+
+  private static Geometry lines(double[] segments) {
     LineString[] lines = new LineString[segments.length / 4];
     for (int i = 0; i < lines.length; ++i) {
       lines[i] = FACTORY.createLineString(ends(segments, 4 * i));
     }
-    Geometry union = OverlayNGRobust.union(FACTORY.createMultiLineString(lines));
+    return FACTORY.createMultiLineString(lines);
+  }
+
+  private static List<Coordinate[]> piecesOf(Geometry union) {
     List<Coordinate[]> pieces = new ArrayList<>();
     for (int i = 0; i < union.getNumGeometries(); ++i) {
       addPieces(union.getGeometryN(i).getCoordinates(), pieces);
