@@ -3,7 +3,8 @@
 Loud, where the engine itself says that something is wrong: *error*, *crash*, *timeout*, *memory*.
 Silently wrong: *invalid*, where the answer by itself is no complex (edges cross, faces overlap or
 leave gaps); *topology*, where it is one, but another one. Right: *moved*, the same cells with
-vertices further away than doubles need; *identical*.
+vertices further away than doubles need, or as near as that and yet with edges that cross when
+their ends are taken as what they are; *identical*.
 """
 
 from __future__ import annotations
@@ -119,6 +120,8 @@ def _judged(check: Check, model: dict[str, Any], largest: float) -> Judgement:
             displacement = max(displacement, f.distance or 0.0)
     if invalid or (not check and not findings):
         outcome, kind = "invalid", str(invalid[0].invariant) if invalid else "unreadable"
+        if _is_rounding(findings, displacement, largest):
+            outcome = "moved"
     elif wrong:
         outcome, kind = "topology", _gravest(wrong)
     else:
@@ -138,6 +141,15 @@ def _judged(check: Check, model: dict[str, Any], largest: float) -> Judgement:
         displacement,
         check.tolerance,
     )
+
+
+def _is_rounding(findings: list[Finding], displacement: float, largest: float) -> bool:
+    """Whether edges cross, or vertices lie on them, by no more than the last places of
+    coordinates: all cells correspond, and each vertex is where it should be. Engines do not promise
+    to round each coordinate to the nearest double."""
+    by_rounding = ("crossing", "vertex on edge")
+    only = all(f.disagreement == "invalid" and f.invariant in by_rounding for f in findings)
+    return bool(findings) and only and displacement <= _IDENTICAL * largest
 
 
 def edges_of(model: dict[str, Any]) -> set[tuple[int, int]]:

@@ -60,6 +60,27 @@ def test_what_is_no_complex_is_invalid() -> None:
     assert outcome(changed(V=[[0, 0], [2, float("nan")], [2, 2], [0, 2]]))[0] == "invalid"
 
 
+def test_edges_that_cross_by_rounding_alone_are_right() -> None:
+    ulp = 2.0**-51  # of the largest coordinate
+    lines = [(0.0, 0.0, 2.0, 2.0), (1.0, 1.0 - ulp / 2, 3.0, 0.0)]
+    truth = plumbline.arrange(lines, numbers="doubles")
+
+    def ending(off: float, edges: list[list[int]]) -> tuple[str, str]:
+        vertices = [[0, 0], [2, 2], [1, 1 - ulp / 2 + off], [3, 0]]
+        found = judge(Reply("model", 0.1, {"V": vertices, "EV": edges}), truth, 1e-9, 3.0)
+        return found.outcome, found.kind
+
+    assert ending(0.0, [[0, 1], [2, 3]]) == ("identical", "")
+    assert ending(ulp / 2, [[0, 1], [2, 3]]) == ("moved", "vertex on edge")
+    assert ending(ulp, [[0, 1], [2, 3]]) == ("moved", "crossing")
+    assert ending(1e-12, [[0, 1], [2, 3]]) == ("invalid", "crossing")
+    assert ending(ulp, [[0, 2], [2, 1], [2, 3]])[0] == "topology"
+    crossing = [(0.0, 0.0, 2.0, 2.0), (1.0, 1.0 + ulp / 2, 3.0, 0.0)]
+    noded = plumbline.arrange(crossing, numbers="doubles")
+    model = {"V": [[0, 0], [2, 2], [1, 1 + ulp / 2], [3, 0]], "EV": [[0, 1], [2, 3]]}
+    assert judge(Reply("model", 0.1, model), noded, 1e-9, 3.0).outcome == "invalid"  # not noded
+
+
 def test_what_is_loud_stays_so() -> None:
     truth = Numbers(4, 5, 3)
     for ending in ("error", "crash", "timeout", "memory"):
