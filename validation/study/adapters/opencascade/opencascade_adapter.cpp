@@ -92,8 +92,9 @@ Model fused(const std::vector<study::Segment>& segments, double fuzzy, Clock& cl
   }
   TopoDS_Shape wires;
   TopoDS_Shape faces;
-  const int failed = BOPAlgo_Tools::EdgesToWires(builder.Shape(), wires, Standard_True);
-  if (failed == 0) BOPAlgo_Tools::WiresToFaces(wires, faces);  // false where there are none
+  const int status = BOPAlgo_Tools::EdgesToWires(builder.Shape(), wires, Standard_True);
+  if (status == 2) throw study::EngineError("EdgesToWires", "sharing of the edges has failed");
+  if (status == 0) BOPAlgo_Tools::WiresToFaces(wires, faces);  // false where there are none
   clock.stop();
   Numbering number;
   Model model;
