@@ -24,6 +24,7 @@ SECONDS = 60.0
 SQUARE = [[0.0, 0.0, 4.0, 0.0], [4.0, 0.0, 4.0, 4.0], [4.0, 4.0, 0.0, 4.0], [0.0, 4.0, 0.0, 0.0]]
 DIAGONALS = [[0.0, 0.0, 4.0, 4.0], [0.0, 4.0, 4.0, 0.0]]
 ISLAND = [[1.0, 2.0, 2.0, 1.0], [2.0, 1.0, 2.0, 2.0], [2.0, 2.0, 1.0, 2.0]]
+BRIDGE = [[0.0, 0.0, 1.0, 2.0]]
 POINT = [[1.0, 1.0, 1.0, 1.0]]
 
 ENGINES = engines()
@@ -131,6 +132,16 @@ def test_an_island_is_a_hole(running: tuple[tuple[str, str], Adapter]) -> None:
         [outer, hole] = max(answer["polygons"], key=len)
         assert points(answer, outer) == {(0, 0), (4, 0), (4, 4), (0, 4)}
         assert points(answer, hole) == {(1, 2), (2, 1), (2, 2)}
+
+
+def test_a_bridge_to_an_island_is_in_no_ring(running: tuple[tuple[str, str], Adapter]) -> None:
+    _, adapter = running
+    answer = model(adapter, 2, SQUARE + ISLAND + BRIDGE)
+    if "polygons" in answer:
+        assert sorted(len(rings) for rings in answer["polygons"]) == [1, 2]
+        [outer, hole] = max(answer["polygons"], key=len)
+        assert len(outer) == 4 and points(answer, outer) == {(0, 0), (4, 0), (4, 4), (0, 4)}
+        assert len(hole) == 3 and points(answer, hole) == {(1, 2), (2, 1), (2, 2)}
 
 
 def test_nothing_is_nothing(running: tuple[tuple[str, str], Adapter]) -> None:

@@ -26,6 +26,12 @@ export function polygonsOfLoops(walks, points) {
   return faces.map(({outer, holes}) => [outer, ...holes]);
 }
 
+/** A polygon whose rings may pass edges twice, as bridges to holes: as rings of vertices that pass none, the outer one first. */
+export function withoutBridges(rings, points) {
+  const size = (ring) => Math.abs(area(ring, points));
+  return rings.flatMap(withoutTwins).sort((a, b) => size(b) - size(a));
+}
+
 /** The rings that are left of a walk where the edges that it passes twice are taken out. */
 function withoutTwins(walk) {
   const rings = [];

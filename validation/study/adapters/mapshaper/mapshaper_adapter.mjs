@@ -1,6 +1,7 @@
 // mapshaper: lines to polygons by its command -polygons, which cuts lines where they cross. It says no edges.
 
 import mapshaper from 'mapshaper';
+import {withoutBridges} from './loops.mjs';
 import {EngineError, Numbering, serve, versionOf} from './serve.mjs';
 
 function withOptions(options) {
@@ -21,7 +22,7 @@ function modelOf({geometries = [], features = []}) {
     .filter((geometry) => geometry)
     .flatMap(({type, coordinates}) => (type === 'Polygon' ? [coordinates] : coordinates))
     .map((rings) => rings.map((ring) => ring.slice(0, -1).map(([x, y]) => number.of(x, y))));
-  return {V: number.points, polygons};
+  return {V: number.points, polygons: polygons.map((rings) => withoutBridges(rings, number.points))};
 }
 
 serve({
