@@ -43,6 +43,7 @@ def all_tables(study: Study) -> list[Table]:
         ]
     found += [
         tables.kind_table(study),
+        tables.nearness(study),
         tables.differences(study),
         tables.orders(study),
         tables.time_table(study),
@@ -99,7 +100,13 @@ def _tolerance(of: dict[str, object]) -> str:
     return "none" if kind == "none" else f"{kind} {of['tolerance']:g}"
 
 
-_LONG = ("silent_", "tolerance_", "representable", "kinds")  # in Markdown as links alone
+_LONG = (
+    "silent_",
+    "tolerance_",
+    "representable",
+    "kinds",
+    "nearness",
+)  # in Markdown as links alone
 
 
 def _markdown(study: Study, made: list[Table], drawn: dict[str, str]) -> str:

@@ -16,6 +16,7 @@ from study.words import LOUD, OUTCOMES, RIGHT, SILENT, TRUTHS
 
 _DRAWING = ("family", "size", "scale", "seed")
 ENGINE = ("algorithm", "engine", "version", "configuration")
+_NEAREST = -8  # decades of feature size to what vertices match within: below all doubles
 _FAR_BELOW, _FAR_ABOVE = -14, 3  # decades of tolerance to feature size, beyond which all is one
 
 Engine = tuple[str, str, str, str]
@@ -230,6 +231,31 @@ def response_table(study: Study, truth: str) -> Table:
     ]
     columns = ("engine", "tolerance / feature size from", "right", "of", "share")
     return Table(f"tolerance_{truth}", f"Tolerance response, truth: {truth}", columns, rows)
+
+
+def nearness(study: Study) -> Table:
+    """Of engines without a tolerance, silently wrong answers by how near things are in a drawing:
+    by decades of its feature size to the distance within which vertices match, which is 1e-9 of the
+    longer side, or 64 units in the last place of the largest coordinate if that is more."""
+    rows = study.fair("doubles")
+    rows = rows.filter(
+        pc.and_(pc.equal(rows["tolerance_kind"], "none"), pc.greater(rows["feature_size"], 0))
+    )
+    names = (*_DRAWING, *ENGINE, "feature_size", "compare_tolerance", "outcome")
+    listed = list(zip(*(rows[name].to_pylist() for name in names)))
+    within = {values[:4]: values[9] for values in listed if values[9]}  # none of loud failures
+    numbers: dict[tuple[Engine, int], dict[str, int]] = defaultdict(lambda: defaultdict(int))
+    for values in listed:
+        if values[:4] in within:
+            decade = math.floor(math.log10(values[8]) - math.log10(within[values[:4]]))
+            decade = min(max(decade, _NEAREST), _FAR_ABOVE)
+            numbers[values[4:8], decade][values[10]] += 1
+    found = []
+    for (engine, decade), of in sorted(numbers.items()):
+        s = share(of, SILENT)
+        found.append((study.of(engine), f"1e{decade}", s.k, s.n, str(s)))
+    columns = ("engine", "feature size / matching distance from", "silently wrong", "of", "share")
+    return Table("nearness", "How near things are, truth: doubles", columns, found)
 
 
 def orders(study: Study) -> Table:

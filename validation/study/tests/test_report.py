@@ -14,7 +14,7 @@ from study.words import OUTCOMES, TRUTHS
 pytest.importorskip("matplotlib")
 
 from study.report import files
-from study.tables import Study, differences, orders
+from study.tables import Study, differences, nearness, orders
 
 
 def row(engine: str, family: str, seed: int, truth: str, outcome: str, **more: Any) -> results.Row:
@@ -102,6 +102,18 @@ def test_differences_are_of_pairs() -> None:
     rows += [row("b", "rings", s, "doubles", "topology" if s else "moved") for s in range(6)]
     (found,) = differences(study_of(rows)).rows
     assert found[2:5] == (6, 5, 0) and found[5] == found[6] == 2 / 2**5
+
+
+def test_nearness_parts_drawings_by_their_least_distance() -> None:
+    def of(seed: int, outcome: str, feature: float, within: float = 1e-9) -> results.Row:
+        more = {"tolerance_kind": "none", "tolerance": 0.0, "compare_tolerance": within}
+        return row("a", "rings", seed, "doubles", outcome, feature_size=feature, **more)
+
+    rows = [of(0, "topology", 3e-16), of(1, "identical", 5e-16), of(2, "invalid", 2e-3)]
+    rows += [of(3, "error", 2e-3, within=0.0), of(4, "moved", 1e-12, within=1e-6)]
+    # Of the loud one nothing tells what vertices would match within.
+    found = [r[1:4] for r in nearness(study_of(rows)).rows]
+    assert found == [("1e-7", 1, 2), ("1e-6", 0, 1), ("1e3", 1, 1)]
 
 
 def test_orders_tell_digits_from_cells() -> None:
