@@ -84,8 +84,9 @@ class Truths:
             return None
         if key not in self._contracts:
             if of.tolerance_kind == "grid":
-                if of.tolerance < _COARSE * largest_coordinate(self._case):
-                    return None  # doubles hardly tell points of the grid apart
+                is_fine = of.tolerance < _COARSE * largest_coordinate(self._case)
+                if is_fine or of.promise == "some":
+                    return None  # doubles hardly tell points of a fine grid apart
                 round_to = snap_rounded_down if of.promise == "integers" else snap_rounded
                 rounded = round_to(self._case.segments, Fraction(repr(of.tolerance)))
                 self._contracts[key] = _arranged(rounded) if rounded else None

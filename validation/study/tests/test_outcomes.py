@@ -144,6 +144,8 @@ def test_a_grid_promises_the_snap_rounded_complex() -> None:
     truth = Truths(case).contract(configuration("grid", 1.0))
     assert isinstance(truth, plumbline.Arrangement)
     assert truth.signature == plumbline.arrange(pieces).signature
+    coordinates_alone = replace(configuration("grid", 1.0), promise="some")
+    assert Truths(case).contract(coordinates_alone) is None
 
 
 def test_integers_promise_ends_on_the_grid_and_crossings_rounded_down() -> None:

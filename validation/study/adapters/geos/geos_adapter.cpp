@@ -165,7 +165,7 @@ int main(int argc, char** argv) {
            {"set-precision-1e-9-node", "GEOSGeom_setPrecision 1e-9, GEOSNode", "grid", kGrid,
             "what shapely's configuration of this name calls; geos_c.h promises the grid for "
             "overlay functions only",
-            noded_by(set_precision_then_node)},
+            noded_by(set_precision_then_node), "some"},
        }},
       argc, argv);
 }

@@ -33,7 +33,6 @@ import org.locationtech.jts.operation.polygonize.Polygonizer;
 /** JTS's noders, one by one, each followed by its Polygonizer, by the protocol of ../README.md. */
 public final class JtsAdapter {
   private static final double SNAP = 1e-10;
-  private static final double MAGNITUDE_FACTOR = 1e-12;
   private static final double SCALE = 1e9; // of the grid 1e-9; 1 / 1e-9 is another double
   private static final GeometryFactory FACTORY = new GeometryFactory();
 
@@ -56,11 +55,9 @@ public final class JtsAdapter {
               "API: IteratedNoder, 'repeated until no further intersections are detected'",
               by(() -> new IteratedNoder(new PrecisionModel()))),
           new Configuration("snapping-1e-10", "SnappingNoder 1e-10", "snap", SNAP,
-              "API: SnappingNoder, 'a factor of about 10e-12 smaller than the magnitude'",
+              "API: SnappingNoder, 'a factor of about 10e-12 smaller than the magnitude'; "
+                  + "here of 10",
               by(() -> new SnappingNoder(SNAP))),
-          new Configuration("snapping-1e-12", "SnappingNoder, 1e-12 of the magnitude", "none", 0,
-              "API: SnappingNoder, relative to the magnitude; OverlayNGRobust has this factor",
-              JtsAdapter::snappedByMagnitude),
           new Configuration("snap-rounding-1e-9", "SnapRoundingNoder 1e-9", "grid", 1 / SCALE,
               "API: SnapRoundingNoder with a fixed PrecisionModel",
               by(() -> new SnapRoundingNoder(new PrecisionModel(SCALE)))),
@@ -195,11 +192,6 @@ public final class JtsAdapter {
 
   private static void addPieces(Coordinate[] line, List<Coordinate[]> pieces) {
     for (int k = 1; k < line.length; ++k) pieces.add(new Coordinate[] {line[k - 1], line[k]});
-  }
-
-  private static List<Coordinate[]> snappedByMagnitude(double[] segments) {
-    double magnitude = java.util.Arrays.stream(segments).map(Math::abs).max().orElse(0);
-    return nodedBy(new SnappingNoder(MAGNITUDE_FACTOR * magnitude), segments);
   }
 
   private static Geometry lines(double[] segments) {

@@ -71,6 +71,7 @@ CONFIGURATIONS = [
         ("grid", GRID),
         f"{_MANUAL}, set_precision: 'subsequent operations will always be performed in' it",
         noded_by(set_precision_then_node),
+        promise="some",  # coordinates on the grid, no snap rounding
     ),
 ]
 
