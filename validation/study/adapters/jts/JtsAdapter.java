@@ -65,7 +65,7 @@ public final class JtsAdapter {
               "API: OverlayNGRobust, floating first, then snapping, then snap rounding",
               segments -> piecesOf(OverlayNGRobust.union(lines(segments)))),
           new Configuration("union", "Geometry.union", "none", 0,
-              "API: UnaryUnionOp, unions of lines are 'noded and dissolved'; the old overlay, "
+              "API: UnaryUnionOp, unions of lines are noded and dissolved; the old overlay, "
                   + "which is the default",
               segments -> piecesOf(lines(segments).union())));
 
