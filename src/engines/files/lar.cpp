@@ -23,9 +23,9 @@ struct Members {
 
 class LarResult {
  public:
-  explicit LarResult(const JsonTree& tree, const std::string& file) {
+  explicit LarResult(const JsonValue& model, const std::string& file) {
     result_.file = file;
-    find_members(tree.root());
+    find_members(model);
   }
 
   Result read() && {
@@ -283,9 +283,13 @@ Rational LarResult::twice_area(const Cell& ring) const {
 
 }  // namespace
 
+Result read_lar(const JsonValue& model, const std::string& file_name) {
+  return LarResult(model, file_name).read();
+}
+
 Result read_lar(ByteStream& bytes) {
   const JsonTree tree(bytes);
-  return LarResult(tree, bytes.file()).read();
+  return read_lar(tree.root(), bytes.file());
 }
 
 Result read_lar(std::string_view text, const std::string& file_name) {
