@@ -52,8 +52,9 @@ enum class Compared {
   /// edges make of a straight side.
   Faces,
   SomeFaces,  ///< each bounded face of the result, and nothing that it has not
+  Nothing,    ///< there is no result
 };
-std::string to_text(Compared compared);  ///< "all", "graph", "faces", "some faces"
+std::string to_text(Compared compared);  ///< "all", "graph", "faces", "some faces", "nothing"
 
 struct Comparison {
   double tolerance = 0;

@@ -135,6 +135,8 @@ struct Answer {
   Compared compared = Compared::All;
   /// Vertices nearer than this are one to the engine; none: it merges nothing. In drawing units.
   std::optional<double> radius = {};
+  /// To which it gives coordinates, by its own promise: the width of a grid, say. In drawing units.
+  std::optional<double> precision = {};
   /// Where the radius comes from: "number", the name of a preset (`preset_radius`), or "segment":
   /// chosen by the engine, a quarter of the shortest segment.
   std::string radius_from = {};

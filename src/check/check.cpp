@@ -111,9 +111,11 @@ Check check(SegmentSet input, ExactComplex exact_complex, Answer answer,
   result.input = std::move(input);
   result.exact_complex = std::move(exact_complex);
   result.answer = std::move(answer);
-  const double tolerance = options.tolerance      ? *options.tolerance
-                           : result.answer.radius ? *result.answer.radius
-                                                  : tolerance_of_drawing(result.exact_complex);
+  const double tolerance = options.tolerance ? *options.tolerance
+                           : result.answer.radius
+                               ? *result.answer.radius
+                               : std::max(result.answer.precision.value_or(0),
+                                          tolerance_of_drawing(result.exact_complex));
   tell(options, "comparing with " + result.answer.title);
   result.comparison = compare_answer(result.exact_complex, result.answer, tolerance);
   compare_conversion(result, options);

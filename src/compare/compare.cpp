@@ -70,6 +70,18 @@ Comparison compare_in(Detail detail, const ExactComplex& exact_complex,
   return result;
 }
 
+/// Without a result: no findings.
+Comparison compare_nothing(const ExactComplex& exact_complex, const ExactComplex& other_complex,
+                           double tolerance) {
+  Comparison result;
+  result.tolerance = tolerance;
+  result.compared = Compared::Nothing;
+  result.exact_counts = counts(exact_complex, exact_complex.vertices.size());
+  result.float_counts = counts(other_complex, other_complex.vertices.size());
+  result.float_valid = true;
+  return result;
+}
+
 Comparison compare_faces(const ExactComplex& exact_complex, const ExactComplex& other_complex,
                          double tolerance) {
   const compare_steps::Claims claims =
@@ -97,6 +109,9 @@ Comparison compare(const ExactComplex& exact_complex, const ExactComplex& other_
     return compare_steps::some_faces(exact_complex, other_complex, tolerance);
   }
   if (compared == Compared::Faces) return compare_faces(exact_complex, other_complex, tolerance);
+  if (compared == Compared::Nothing) {
+    return compare_nothing(exact_complex, other_complex, tolerance);
+  }
   return compare_in(Detail::Full, exact_complex, other_complex, tolerance, compared);
 }
 

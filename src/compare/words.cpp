@@ -30,6 +30,8 @@ std::string to_text(Compared compared) {
       return "faces";
     case Compared::SomeFaces:
       return "some faces";
+    case Compared::Nothing:
+      return "nothing";
   }
   return "";
 }

@@ -35,12 +35,13 @@ void append_cell_counts(std::string& text, const Check& check) {
                          authored == c.float_counts.*row.member;
     if (is_same && !is_always_told) continue;
     const bool is_of_graph = name == "vertices" || name == "edges" || name == "components";
-    const bool is_known = c.compared != Compared::Graph || is_of_graph;
+    const bool is_known =
+        c.compared != Compared::Nothing && (c.compared != Compared::Graph || is_of_graph);
     text += fmt::format("{:<18}{:>13}{:>14}{:>12}\n", name, c.exact_counts.*row.member,
                         check.conversion.float_counts.*row.member,
                         is_known ? std::to_string(c.float_counts.*row.member) : "-");
   }
-  if (c.compared == Compared::SomeFaces) return;
+  if (c.compared == Compared::SomeFaces || c.compared == Compared::Nothing) return;
   text += fmt::format("matched one to one: {} vertices, {} edges, {} faces\n", c.matched_vertices,
                       c.matched_edges, c.matched_faces);
 }
@@ -236,9 +237,11 @@ std::string to_text(const Check& check, std::optional<std::size_t> listed) {
   append_radius_advice(text, check);
   if (!c.float_valid) text += "the float result by itself is not a valid complex\n";
   append_cell_counts(text, check);
-  if (check.answer.radius) text += radius_text(check.answer) + ", ";
-  text += fmt::format("tolerance {}, largest displacement {}\n", short_number(c.tolerance),
-                      short_number(c.largest_displacement));
+  if (c.compared != Compared::Nothing) {
+    if (check.answer.radius) text += radius_text(check.answer) + ", ";
+    text += fmt::format("tolerance {}, largest displacement {}\n", short_number(c.tolerance),
+                        short_number(c.largest_displacement));
+  }
   append_input(text, check.input);
   append_ledger(text, check.input.ledger);
   if (check.drift.places > 0) text += to_text(check.drift) + '\n';

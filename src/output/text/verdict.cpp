@@ -42,6 +42,9 @@ std::string verdict(const Check& check) {
     text = "disagree: " + findings;
     if (own > 0) text += fmt::format(", {} of them the file's own drift", own);
   }
+  if (check.comparison.compared == Compared::Nothing && count > 0) {
+    text = "disagree: no result, " + line_text(check.comparison.findings.front().message);
+  }
   text += claims_text(check.comparison);
   const std::size_t lost = count_lost(check.input.rejected);
   if (lost > 0) text += fmt::format("; not all was read: {} rejected look like geometry", lost);
