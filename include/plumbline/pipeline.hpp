@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -99,8 +100,11 @@ std::vector<RuleOutcome> compare_rules(const SegmentSet& input, const Repair& re
 
 /// All engines that there are, by name: lar, inters, plasm, files.
 std::vector<Engine> engines();
-/// The one of that name. Throws: Error BadInput, with the names that there are, for another.
-Engine engine_named(const std::string& name, const std::vector<Engine>& engines);
+/// The one of that name; else the program of that name in the folders (`programs::found_in`); what
+/// has a slash is the path of a program. Throws: Error BadInput, with the names that there are, for
+/// another; as `programs::engine`.
+Engine engine_named(const std::string& name, const std::vector<Engine>& engines,
+                    std::span<const std::filesystem::path> folders = {});
 /// The engine as it runs on this drawing: inters maps to the unit square in floats, as published.
 Engine engine_for(Engine engine, const Drawing& drawing, const Parameters& parameters);
 /// inters, which then also finds what its reader of SVG, svg2lines, would misread of the file.

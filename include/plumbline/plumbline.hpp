@@ -16,6 +16,7 @@
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/engines/plasm.hpp"
+#include "plumbline/engines/programs.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/features.hpp"
 #include "plumbline/geometry.hpp"

@@ -9,6 +9,7 @@
 #include "plumbline/engines/inters.hpp"
 #include "plumbline/engines/lar.hpp"
 #include "plumbline/engines/plasm.hpp"
+#include "plumbline/engines/programs.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/pipeline.hpp"
 
@@ -32,13 +33,20 @@ std::vector<Engine> engines() {
   return {lar::engine(), inters::engine(), plasm::engine(), files::engine()};
 }
 
-Engine engine_named(const std::string& name, const std::vector<Engine>& engines) {
+Engine engine_named(const std::string& name, const std::vector<Engine>& engines,
+                    std::span<const std::filesystem::path> folders) {
+  if (name.find('/') != std::string::npos) return programs::engine(name);
   std::string known;
   for (const Engine& engine : engines) {
     if (engine.name == name) return engine;
     known += (known.empty() ? "" : ", ") + engine.name;
   }
-  throw Error(ErrorCode::BadInput, "unknown engine; there are " + known, {}, name);
+  std::string found;
+  for (const programs::Program& program : programs::found_in(folders)) {
+    if (program.name == name) return programs::engine(program.path, name);
+    found += (found.empty() ? "; programs found are " : ", ") + program.name;
+  }
+  throw Error(ErrorCode::BadInput, "unknown engine; there are " + known + found, {}, name);
 }
 
 Engine engine_for(Engine engine, const Drawing& drawing, const Parameters& parameters) {
