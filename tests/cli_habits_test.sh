@@ -83,7 +83,7 @@ expect "help is a command" 0 'Commands:.*arrange.*check' "$plumbline" help
 expect "of a command, too" 0 'Usage: plumbline check .OPTIONS. FILE.*Comparison:.*--radius R' "$plumbline" help check
 expect "the version has a short form" 0 '^plumbline [0-9.]+$' "$plumbline" -V
 expect "help is of help" 0 'Commands:' "$plumbline" help help
-for command in '' arrange check eval info lar random rooms; do
+for command in '' arrange check engines eval info lar random rooms; do
   expect "no line is longer than 100: help $command" 1 '^$' bash -c "'$plumbline' $command --help | grep -E '.{101}'"
 done
 expect "a command with a typing error" 2 '"chek"; did you mean check\?' "$plumbline" chek plan.svg
@@ -131,7 +131,7 @@ completes() {
   bash -c 'source ./complete.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _plumbline; echo "${COMPREPLY[@]}"' - "$@"
 }
 expect "commands are completed" 0 '^check$' completes plumbline ch
-expect "all of them" 0 '^arrange check info rooms repair lar eval random help --help --version$' completes plumbline ''
+expect "all of them" 0 '^arrange check info rooms repair lar eval random engines help --help --version$' completes plumbline ''
 expect "of help, too" 0 '^check$' completes plumbline help ch
 expect "options" 0 '^--picture$' completes plumbline check plan.svg --pic
 expect "values" 0 '^geojson$' completes plumbline arrange plan.svg --format geo

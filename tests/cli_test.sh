@@ -10,8 +10,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/support/expect.sh"
 expect "help shows the commands and an example" 0 'arrange.*check.*info' "$plumbline" --help
 expect "each command's help has an example" 0 'plumbline check plan.svg --radius' "$plumbline" check --help
 expect "the version is told" 0 '^plumbline [0-9]+\.[0-9]+\.[0-9]+$' "$plumbline" --version
-expect "no command is a usage error" 2 'which command.*arrange, check, eval, info, lar, random' "$plumbline"
-expect "an unknown command names the known ones" 2 'unknown command.*"draw".*arrange, check, eval, info, lar, random' "$plumbline" draw x.svg
+expect "no command is a usage error" 2 'which command.*arrange, check, engines, eval, info, lar, random' "$plumbline"
+expect "an unknown command names the known ones" 2 'unknown command.*"draw".*arrange, check, engines, eval, info, lar, random' "$plumbline" draw x.svg
 expect "an unknown option is a usage error" 2 'radios' "$plumbline" check a.svg --radios 1
 expect "a missing file is said by name" 2 'none\.svg' "$plumbline" info none.svg
 expect "a directory is no drawing" 2 'plumbline: ' "$plumbline" info .
@@ -111,7 +111,7 @@ expect "both engines agree on a drawing" 0 '370 vertices' "$plumbline" arrange "
 expect "their old names still work, and say so" 0 'verify is --both-engines now.*engine is --exact-engine now' "$plumbline" arrange "$examples/office-plan.svg" --engine cgal --verify
 expect "an unknown exact engine names the known ones" 2 'not fast, but bucket or cgal' "$plumbline" info "$examples/dwelling.svg" --exact-engine fast
 expect "by its old name, too" 2 'bucket and cgal: "fast"' "$plumbline" info "$examples/dwelling.svg" --engine fast
-expect "an unknown engine names the known ones" 2 'lar, inters, plasm, files: "fast"' "$plumbline" check "$examples/dwelling.svg" --engine fast
+expect "an unknown engine names the known ones" 2 'lar, inters, plasm, files.*: "fast"' "$plumbline" check "$examples/dwelling.svg" --engine fast
 expect "any engine can be checked, with its parameters" 1 'LAR inters.*radius 0.01,' "$plumbline" check "$examples/dwelling.svg" --engine inters --set radius=0.01 --set decimals=3
 expect "the short forms mean the same" 1 'LAR inters.*radius 0.01,' "$plumbline" check "$examples/dwelling.svg" --variant published --radius 0.01 --decimals 3
 expect "a parameter that an engine has not is refused, with those that it has" 2 'lar has no such parameter; it has radius: "decimals"' "$plumbline" check "$examples/dwelling.svg" --decimals 3

@@ -123,7 +123,7 @@ TEST_CASE("the tool checks an engine that it is given, by name and with its para
     arguments.insert(arguments.begin(), {"plumbline", "check"});
     std::vector<char*> words;
     for (std::string& word : arguments) words.push_back(word.data());
-    return cli::run(static_cast<int>(words.size()), words.data(), known);
+    return cli::run(static_cast<int>(words.size()), words.data(), {known});
   };
   const std::string rooms = PLUMBLINE_EXAMPLES "/rooms.lines";
   CHECK(exit_code({rooms, "--engine", "unsplit"}) == 0);

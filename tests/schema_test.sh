@@ -67,6 +67,7 @@ expect "of files that are written" 0 '^$' summary_fits arrange "$data/dwelling.s
 expect "of a structure" 0 '^$' summary_fits eval "$data/dwelling.svg"
 expect "of a structure as lines" 0 '^$' summary_fits eval "$data/dwelling.svg" -o flat.lines
 expect "of random segments" 0 '^$' summary_fits random 3 -o random.lines
+expect "of engines" 0 '^$' summary_fits engines
 expect "of an error" 0 '^$' fits summary info nothing.svg --json
 expect "of several drawings" 0 '^$' fits summary info "$data"/*.svg nothing.svg --json
 

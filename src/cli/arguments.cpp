@@ -23,6 +23,7 @@ constexpr const char* kDescription =
     "  plumbline rooms plan.dxf -o rooms.geojson --picture rooms.svg\n"
     "  plumbline repair plan.dxf -o fixed.dxf --log fixes.json\n"
     "  plumbline check plan.svg --picture check.svg\n"
+    "  plumbline check plan.svg --engine geos\n"
     "  plumbline lar plan.svg --show components -o components.svg\n"
     "  plumbline eval table.json -o table.svg\n"
     "  plumbline random 5000 -o random.lines\n\n"
@@ -110,6 +111,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   LarArguments lar;
   EvalArguments eval;
   RandomArguments random;
+  EnginesArguments engines;
   const std::pair arrange_command(add_command(app, arrange), &arrange);
   const std::pair check_command(add_command(app, check), &check);
   const std::pair info_command(add_command(app, info), &info);
@@ -118,6 +120,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   const std::pair lar_command(add_command(app, lar), &lar);
   const std::pair eval_command(add_command(app, eval), &eval);
   const std::pair random_command(add_command(app, random), &random);
+  const std::pair engines_command(add_command(app, engines), &engines);
   const MadePages pages(app);
   app.set_version_flag("-V,--version", "plumbline " PLUMBLINE_VERSION, "Tell the version");
   app.footer(kExitCodes);
@@ -136,7 +139,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   if (pages.completion->parsed()) return Notice{completion(app, pages.shell), false};
   if (pages.manual->parsed()) return Notice{manual(app, pages.command), false};
   return called(arrange_command, check_command, info_command, rooms_command, repair_command,
-                lar_command, eval_command, random_command);
+                lar_command, eval_command, random_command, engines_command);
 }
 
 }  // namespace plumbline::cli

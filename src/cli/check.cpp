@@ -51,10 +51,11 @@ Asked asked_of(const CheckArguments& arguments, const Engine& engine, const Segm
 
 Answer answer_for(const CheckArguments& arguments, const Engine& engine, const Drawing& drawing) {
   const Asked asked = asked_of(arguments, engine, drawing.input);
-  Answer answer =
-      answer_of(arguments.with_svg2lines ? inters_with_svg2lines(drawing)
+  const bool is_program = engine.name != arguments.engine;  // given by its path
+  Answer answer = answer_of(arguments.with_svg2lines ? inters_with_svg2lines(drawing)
+                            : is_program             ? engine
                                          : engine_for(engine, drawing, asked.parameters),
-                drawing.input, asked.parameters, arguments.threads);
+                            drawing.input, asked.parameters, arguments.threads);
   const bool has_reason = asked.radius_from == "drawing" && !answer.radius_from.empty();
   if (answer.radius && !has_reason) answer.radius_from = asked.radius_from;
   return answer;
@@ -68,9 +69,9 @@ void choose_some_faces(Answer& answer) {
   answer.compared = Compared::SomeFaces;
 }
 
-Check compare(const CheckArguments& arguments, const std::vector<Engine>& engines) {
+Check compare(const CheckArguments& arguments, const KnownEngines& known) {
   // What is malformed is told at once, before the work.
-  const Engine engine = engine_named(arguments.engine, engines);
+  const Engine engine = engine_named(arguments.engine, known.built_in, known.folders);
   std::optional<Answer> answer;
   if (arguments.against) {
     answer = files::answer(files::read(*arguments.against));
@@ -119,14 +120,14 @@ void summarise(const Check& result, Report& report) {
 
 }  // namespace
 
-ExitCode run(const CheckArguments& arguments, Report& report, const std::vector<Engine>& engines) {
+ExitCode run(const CheckArguments& arguments, Report& report, const KnownEngines& known) {
   const bool on_stdout = check_outputs(arguments.file, {{arguments.output, {"json"}},
                                                         {arguments.picture, {"svg"}},
                                                         {arguments.report, {"html"}},
                                                         {arguments.plot, {"svg"}},
                                                         {arguments.findings, finding_formats()}});
   if (on_stdout) report.leave_standard_output();
-  const Check result = advised_as_asked(compare(arguments, engines), arguments);
+  const Check result = advised_as_asked(compare(arguments, known), arguments);
   const auto write = [&](const std::optional<std::string>& file, const auto& content) {
     if (!file) return;
     write_file(*file, content());

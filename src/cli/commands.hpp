@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -157,6 +158,8 @@ inline bool is_preset(std::string_view radius) {
 
 inline constexpr std::size_t kMostRandomSegments = 10'000'000;
 
+struct EnginesArguments : CommonArguments {};
+
 struct RandomArguments : CommonArguments {
   std::size_t count = 0;
   double scaling = 0.1;
@@ -164,11 +167,18 @@ struct RandomArguments : CommonArguments {
   std::optional<std::string> output;
 };
 
+/// The engines that can be checked by their names.
+struct KnownEngines {
+  std::vector<Engine> built_in;
+  std::vector<std::filesystem::path> folders = {};  ///< in which programs are looked for
+};
+
 class Report;
 
 /// Each command tells its report what it has to say and returns its exit code. Throws: Error.
 ExitCode run(const ArrangeArguments& arguments, Report& report);
-ExitCode run(const CheckArguments& arguments, Report& report, const std::vector<Engine>& engines);
+ExitCode run(const CheckArguments& arguments, Report& report, const KnownEngines& known);
+ExitCode run(const EnginesArguments& arguments, Report& report, const KnownEngines& known);
 ExitCode run(const InfoArguments& arguments, Report& report);
 ExitCode run(const RoomsArguments& arguments, Report& report);
 ExitCode run(const RepairArguments& arguments, Report& report);

@@ -44,14 +44,16 @@ void add_engine_options(CLI::App& command, CheckArguments& arguments) {
                                           " now; --engine chooses the engine that is checked");
               },
               "Check the answer of this engine: lar (float LAR, the default), inters (LAR's module "
-              "as published, with all its divergences), plasm (Plasm.jl's ARRANGE2D), files")
+              "as published, with all its divergences), plasm (Plasm.jl's ARRANGE2D), files; or of "
+              "a "
+              "program: its NAME, as plumbline engines tells, or a path with a slash")
           ->type_name("NAME:lar|inters|plasm|files")
           ->excludes("--against");
   command
       .add_option(
           "--set", arguments.settings,
           "A parameter of the engine: of lar radius; of inters radius, decimals, result; of "
-          "plasm radius; of files file")
+          "plasm radius; of files file; of programs configuration, radius, seconds, memory")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
   command
@@ -277,7 +279,8 @@ CLI::App* add_command(CLI::App& app, CheckArguments& arguments) {
       app.add_subcommand("check", "Hold the float LAR result against the exact one");
   command->footer(
       "Examples: plumbline check plan.svg --radius 0.01 -o report.json --picture check.svg\n"
-      "          plumbline check plan.svg --against polygons.geojson");
+      "          plumbline check plan.svg --against polygons.geojson\n"
+      "          plumbline check plan.svg --engine geos --set configuration=unary-union");
   add_files(*command, arguments);
   add_check_outputs(*command, arguments);
   add_comparison(*command, arguments);

@@ -19,6 +19,7 @@ CLI::App* add_command(CLI::App& app, RepairArguments& arguments);
 CLI::App* add_command(CLI::App& app, LarArguments& arguments);
 CLI::App* add_command(CLI::App& app, EvalArguments& arguments);
 CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
+CLI::App* add_command(CLI::App& app, EnginesArguments& arguments);
 
 /// The file of an argument: "-" is standard input.
 std::string file_of(const std::string& argument);

@@ -32,22 +32,24 @@ ExitCode exit_code_of(const Error& error) {
 }
 
 template <class Arguments>
-ExitCode run_command(const Arguments& arguments, Report& report,
-                     const std::vector<Engine>& /*engines*/) {
+ExitCode run_command(const Arguments& arguments, Report& report, const KnownEngines& /*known*/) {
   return run(arguments, report);
 }
-ExitCode run_command(const CheckArguments& arguments, Report& report,
-                     const std::vector<Engine>& engines) {
-  return run(arguments, report, engines);
+ExitCode run_command(const CheckArguments& arguments, Report& report, const KnownEngines& known) {
+  return run(arguments, report, known);
+}
+
+ExitCode run_command(const EnginesArguments& arguments, Report& report, const KnownEngines& known) {
+  return run(arguments, report, known);
 }
 
 /// With --json an error is a member of the summary, too.
 template <class Arguments>
-ExitCode run_reported(const Arguments& arguments, const std::vector<Engine>& engines) {
+ExitCode run_reported(const Arguments& arguments, const KnownEngines& known) {
   Report report(arguments);
   if constexpr (std::is_base_of_v<InputArguments, Arguments>) report.set("file", arguments.file);
   try {
-    const ExitCode code = run_command(arguments, report, engines);
+    const ExitCode code = run_command(arguments, report, known);
     report.end();
     return code;
   } catch (const Error& error) {
@@ -67,7 +69,7 @@ std::string outcome(ExitCode code, bool is_check) {
 
 /// Several drawings, in a line each. What cannot be read does not stop the rest.
 template <class Arguments>
-ExitCode run_each(const Arguments& arguments, const std::vector<Engine>& engines) {
+ExitCode run_each(const Arguments& arguments, const KnownEngines& known) {
   constexpr bool kIsCheck = std::is_same_v<Arguments, CheckArguments>;
   Report all(arguments);
   Manners silent = arguments;
@@ -82,7 +84,7 @@ ExitCode run_each(const Arguments& arguments, const std::vector<Engine>& engines
     report.set("file", file);
     ExitCode code = kAgree;
     try {
-      code = run_command(one, report, engines);
+      code = run_command(one, report, known);
       all.print("{}: {}\n", line_text(file), all.verdict(report.headline(), code));
     } catch (const Error& error) {
       code = exit_code_of(error);
@@ -106,11 +108,11 @@ ExitCode run_each(const Arguments& arguments, const std::vector<Engine>& engines
 
 /// What the command asks for.
 template <class Arguments>
-ExitCode run_all(const Arguments& arguments, const std::vector<Engine>& engines) {
+ExitCode run_all(const Arguments& arguments, const KnownEngines& known) {
   if constexpr (std::is_base_of_v<DrawingArguments, Arguments>) {
-    if (arguments.files.size() > 1) return run_each(arguments, engines);
+    if (arguments.files.size() > 1) return run_each(arguments, known);
   }
-  return run_reported(arguments, engines);
+  return run_reported(arguments, known);
 }
 
 /// The help with the titles of its parts as headings.
@@ -123,8 +125,7 @@ std::string with_headings(const std::string& text) {
   return result;
 }
 
-ExitCode parse_and_run(const std::vector<std::string>& arguments,
-                       const std::vector<Engine>& engines) {
+ExitCode parse_and_run(const std::vector<std::string>& arguments, const KnownEngines& known) {
   const bool is_screen = ::isatty(STDOUT_FILENO) != 0;
   const auto parsed =
       parse(arguments, is_screen ? std::min(columns_of(stdout), kMostColumns) : kMostColumns);
@@ -136,16 +137,16 @@ ExitCode parse_and_run(const std::vector<std::string>& arguments,
   const auto run_watched = [&](const auto& command) {
     for (const std::string& note : command.notes) tell(note);
     const Watchdog watchdog(command.limits);
-    return run_all(command, engines);
+    return run_all(command, known);
   };
   return std::visit(run_watched, std::get<Command>(parsed));
 }
 
 }  // namespace
 
-int run(int argc, char** argv, const std::vector<Engine>& engines) {
+int run(int argc, char** argv, const KnownEngines& known) {
   try {
-    return parse_and_run({argv + (argc > 0 ? 1 : 0), argv + argc}, engines);
+    return parse_and_run({argv + (argc > 0 ? 1 : 0), argv + argc}, known);
   } catch (const Error& error) {
     tell(error.what());
     return exit_code_of(error);

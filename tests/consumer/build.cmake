@@ -13,7 +13,7 @@ unset(ENV{DESTDIR})
 file(RENAME ${SCRATCH}/stage/opt/plumbline ${SCRATCH}/prefix)
 
 # All of it is there.
-set(pages plumbline plumbline-arrange plumbline-check plumbline-eval plumbline-info plumbline-lar
+set(pages plumbline plumbline-arrange plumbline-check plumbline-engines plumbline-eval plumbline-info plumbline-lar
           plumbline-random plumbline-rooms plumbline-verify)
 list(TRANSFORM pages REPLACE ".+" "share/man/man1/\\0.1")
 set(schemas arrange check diagnosis rooms summary)

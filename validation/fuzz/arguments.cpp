@@ -82,6 +82,7 @@ void check_command(const cli::RepairArguments& arguments) {
     if (sgn(size) < 0) fail("a negative tolerance");
   }
 }
+void check_command(const cli::EnginesArguments& arguments) { check_limits(arguments.limits); }
 void check_command(const cli::RandomArguments& arguments) {
   check_limits(arguments.limits);
   check_number(arguments.scaling);
