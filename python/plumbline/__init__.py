@@ -6,6 +6,8 @@ plane into, exactly. ``plumbline.arrange(anything)`` is where to begin.
 
 from plumbline import lar
 from plumbline._core import VERSION as __version__
+from plumbline._core import EngineConfiguration
+from plumbline._programs import ListedEngine, engines
 from plumbline.arrangement import Arrangement, arrange, same, signature, validate
 from plumbline.certificate import Verdict, certificate, verify
 from plumbline.check import Answer, Cause, Check, Engine, Finding, FindingGroup, RightRadii, check
@@ -44,6 +46,7 @@ __all__ = [
     "Diagnosis",
     "Drawing",
     "Engine",
+    "EngineConfiguration",
     "Error",
     "FacePolygons",
     "FileError",
@@ -56,6 +59,7 @@ __all__ = [
     "LarModel",
     "LimitError",
     "Lines",
+    "ListedEngine",
     "Lists",
     "LossWarning",
     "Map",
@@ -82,6 +86,7 @@ __all__ = [
     "diagnose",
     "engine_names",
     "engine_parameters",
+    "engines",
     "evaluate",
     "ladder",
     "lar",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Literal, Union
 
 from plumbline import _core
@@ -10,6 +11,7 @@ from plumbline._arguments import (
     threads_of,
 )
 from plumbline._numbers import Number, Numbers, exact_text
+from plumbline._programs import folders, name_of
 from plumbline._progress import Progress, told
 from plumbline.arrangement import Arrangement
 from plumbline.drawing import Drawing
@@ -23,7 +25,7 @@ from plumbline.check import Check, _drawn, _structure, _tolerance, _warn_of_loss
 
 def cross_check(
     drawing: Arrangement | LinesLike,
-    engine: str = "lar",
+    engine: str | os.PathLike[str] = "lar",
     *,
     variant: Literal["published", "repaired"] | None = None,
     advice: bool | None = None,
@@ -35,15 +37,17 @@ def cross_check(
     progress: Progress = None,
     **parameters: Union[Number, None],
 ) -> Check:
-    """The answer of a float engine of this library, held against the exact arrangement.
+    """The answer of a float engine, held against the exact arrangement: of one of this library, or
+    of a program.
 
     Parameters
     ----------
     drawing : Arrangement, or line work as `lines` takes it
-    engine : str
+    engine : str or path
         "lar": the best float version of LAR's algorithm; "inters": LAR's module as published in
         2015; "plasm": Plasm.jl's `ARRANGE2D`; "files": a result that is there, with the parameter
-        `file`. See `engine_names`.
+        `file`. Or a program that speaks the protocol of the study's adapters: its name, as
+        `engines` lists it, or its path, which as a text has a slash.
     variant : {"published", "repaired"}, optional
         Other names of "inters" and "lar".
     advice : bool, optional
@@ -60,19 +64,23 @@ def cross_check(
         As in `check`.
     **parameters
         Of the engine, as `engine_parameters` lists them. `radius` may be "larlib" (0.001 of the
-        drawing's longer side), "plasm" (1e-8) or "drawing" (the engine's own), too.
+        drawing's longer side), "plasm" (1e-8) or "drawing" (the engine's own), too. Of programs
+        `configuration`, one of those that they list; `radius`, the tolerance of those that have
+        one; the limits `seconds`, by default 60, and `memory` in gigabytes, by default 4.
 
     Returns
     -------
     Check
         With causes: the stage of the engine to blame for each finding, proved by continuing
-        its outputs exactly where it says `confirmed`.
+        its outputs exactly where it says `confirmed`. A program that failed, crashed or was
+        ended, with its limits, has no result; the one finding says so.
 
     Raises
     ------
     Error
         Where nothing is drawn; for engines and parameters that there are not, and values that they
-        do not take; as `arrange`.
+        do not take; for programs that do not keep to the protocol, or whose engine is not here; as
+        `arrange`.
 
     Examples
     --------
@@ -86,9 +94,10 @@ def cross_check(
     >>> bool(plumbline.cross_check(thin, radius=c.right_radii.advised))
     True
     """
-    engine = _engine_of_variant(engine, variant)
+    engine = _engine_of_variant(name_of(engine), variant)
     settings = [(name, _setting(name, value)) for name, value in parameters.items()]
-    _core.engine_parameters(engine)  # refused at once where there is no such engine
+    places = folders()
+    _core.engine_parameters(engine, places)  # refused at once where there is no such engine
     within, count = _tolerance(tolerance), threads_of(threads)
     of = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads))
     answer = _core.engine_answer(
@@ -97,6 +106,7 @@ def cross_check(
         unit_square,
         settings,
         _svg_file(of.lines, engine) if svg2lines else "",
+        places,
         count,
     )
     _warn_of_losses(answer)
@@ -118,11 +128,11 @@ def cross_check(
 
 
 def engine_names() -> list[str]:
-    """The engines that `cross_check` knows."""
+    """The engines of the library; `engines` lists programs, too."""
     return _core.engine_names()
 
 
-def engine_parameters(engine: str) -> list[_core.Parameter]:
+def engine_parameters(engine: str | os.PathLike[str]) -> list[_core.Parameter]:
     """What may be chosen of an engine.
 
     Examples
@@ -131,7 +141,7 @@ def engine_parameters(engine: str) -> list[_core.Parameter]:
     >>> [p.name for p in plumbline.engine_parameters("inters")]
     ['radius', 'decimals', 'result']
     """
-    return _core.engine_parameters(engine)
+    return _core.engine_parameters(name_of(engine), folders())
 
 
 def _engine_of_variant(engine: str, variant: str | None) -> str:

@@ -101,6 +101,7 @@ NB_MODULE(_core, m) {
   bind_output(m);
   bind_compare(m);
   bind_engine(m);
+  bind_programs(m);
   bind_check(m);
   bind_certificate(m);
   bind_ladder(m);

@@ -7,6 +7,8 @@
 #include <nanobind/stl/variant.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <tuple>
 #include <utility>
 
 #include "core.hpp"
@@ -42,16 +44,24 @@ Parameters parameters_of(const Engine& engine, const Settings& settings, const S
   return parameters;
 }
 
+using Folders = std::vector<std::string>;
+
+/// Of the library, or a program in one of the folders, or at a path.
+Engine engine_of(const std::string& name, const Folders& folders) {
+  const std::vector<std::filesystem::path> paths(folders.begin(), folders.end());
+  return engine_named(name, engines(), paths);
+}
+
 /// The engine as it runs on this drawing: of inters what it is told apart from the segments.
-Engine engine_on(const std::string& name, const SegmentSet& drawing, bool unit_square,
-                 const std::string& svg_file, const Parameters& parameters) {
+Engine engine_on(Engine engine, const std::string& name, const SegmentSet& drawing,
+                 bool unit_square, const std::string& svg_file, const Parameters& parameters) {
   if (!svg_file.empty()) {
     plumbline::Drawing as_read;
     as_read.file = svg_file;
     as_read.unit_square = unit_square;
     return inters_with_svg2lines(as_read);
   }
-  if (name != "inters" || !unit_square) return engine_named(name, engines());
+  if (name != "inters" || !unit_square) return engine;
   const auto decimals = parameters.find("decimals");
   inters::Original original;
   original.lines = inters::lines_on_unit_square(
@@ -62,14 +72,15 @@ Engine engine_on(const std::string& name, const SegmentSet& drawing, bool unit_s
 }
 
 Answer engine_answer(const std::string& name, const SegmentSet& drawing, bool unit_square,
-                     const Settings& settings, const std::string& svg_file, std::size_t threads) {
+                     const Settings& settings, const std::string& svg_file, const Folders& folders,
+                     std::size_t threads) {
   const SegmentSet mapped = unit_square ? lar::to_unit_square(drawing) : SegmentSet();
   const SegmentSet& input = unit_square ? mapped : drawing;
   std::string radius_from = "drawing";
-  const Parameters parameters =
-      parameters_of(engine_named(name, engines()), settings, input, radius_from);
-  Answer answer = answer_of(engine_on(name, drawing, unit_square, svg_file, parameters), input,
-                            parameters, threads);
+  const Engine engine = engine_of(name, folders);
+  const Parameters parameters = parameters_of(engine, settings, input, radius_from);
+  Answer answer = answer_of(engine_on(engine, name, drawing, unit_square, svg_file, parameters),
+                            input, parameters, threads);
   const bool has_reason = radius_from == "drawing" && !answer.radius_from.empty();
   if (answer.radius && !has_reason) answer.radius_from = radius_from;
   return answer;
@@ -192,12 +203,19 @@ void bind_engine(nb::module_& m) {
     for (const Engine& engine : engines()) names.push_back(engine.name);
     return names;
   });
+  m.def("engine_titles", [] {
+    std::vector<std::tuple<std::string, std::string, std::string>> titles;
+    for (const Engine& e : engines()) titles.emplace_back(e.name, e.version, e.title);
+    return titles;
+  });
   m.def(
       "engine_parameters",
-      [](const std::string& name) { return engine_named(name, engines()).parameters; },
-      nb::arg("name"));
+      [](const std::string& name, const Folders& folders) {
+        return engine_of(name, folders).parameters;
+      },
+      nb::arg("name"), nb::arg("folders"), nb::call_guard<nb::gil_scoped_release>());
   m.def("engine_answer", &engine_answer, nb::arg("name"), nb::arg("lines"), nb::arg("unit_square"),
-        nb::arg("settings"), nb::arg("svg_file"), nb::arg("threads"),
+        nb::arg("settings"), nb::arg("svg_file"), nb::arg("folders"), nb::arg("threads"),
         nb::call_guard<nb::gil_scoped_release>());
   m.def(
       "on_unit_square", [](const SegmentSet& lines) { return lar::to_unit_square(lines); },
