@@ -37,6 +37,8 @@ EDGES_ALONE = {
 }
 FACES_ALONE = {"mapshaper"}
 HOLES_UNSAID = {("lar", "published")}
+ENDS_STAY = {("cdt", "try-resolve-1e-9")}
+"""Vertices near an edge are put on it; those near another vertex stay."""
 
 
 @pytest.fixture(scope="module", params=HERE, ids=lambda of: f"{of[0]}-{of[1]}")
@@ -46,8 +48,10 @@ def running(request: pytest.FixtureRequest) -> Iterator[tuple[tuple[str, str], A
     adapter.close()
 
 
-def model(adapter: Adapter, case: int, segments: list[list[float]]) -> dict[str, Any]:
-    answer = adapter.ask(case, segments, SECONDS)
+def model(
+    adapter: Adapter, case: int, segments: list[list[float]], tolerance: float | None = None
+) -> dict[str, Any]:
+    answer = adapter.ask(case, segments, SECONDS, tolerance)
     assert answer["case"] == case
     assert "error" not in answer, answer
     assert answer["seconds"] >= 0
@@ -61,6 +65,13 @@ def says_edges(of: tuple[str, str]) -> bool:
 
 def says_faces(of: tuple[str, str]) -> bool:
     return of[0] not in EDGES_ALONE and of not in EDGES_ALONE
+
+
+def tolerance_kind(of: tuple[str, str]) -> str:
+    [engine] = [e for e in ENGINES if e.name == of[0]]
+    assert engine.listed is not None
+    [kind] = [c["tolerance"]["kind"] for c in engine.listed["configurations"] if c["name"] == of[1]]
+    return str(kind)
 
 
 def points(of: dict[str, Any], indices: Iterable[int]) -> set[tuple[float, ...]]:
@@ -161,6 +172,43 @@ def test_one_line_is_one_edge(running: tuple[tuple[str, str], Adapter]) -> None:
     assert acceptance.bounded_faces(answer["model"]) == 0
     if says_edges(of):
         assert answer["model"]["EV"] == [[0, 1]]
+
+
+def test_a_case_may_have_a_tolerance(running: tuple[tuple[str, str], Adapter]) -> None:
+    of, adapter = running
+    kind = tolerance_kind(of)
+    answer = adapter.ask(8, SQUARE, SECONDS, tolerance=0.02)
+    if kind == "none":
+        assert answer["case"] == 8 and answer["error"]["class"] == "BadTolerance"
+    else:
+        assert acceptance.bounded_faces(answer["model"]) == 1
+    wrongs: list[float | str] = [-1.0, "wide"]
+    if kind == "grid":
+        wrongs.append(0.0)
+    for wrong in wrongs:
+        answer = adapter.ask(9, SQUARE, SECONDS, tolerance=wrong)
+        assert answer["error"]["class"] == "BadTolerance" and answer["error"]["message"]
+    assert acceptance.bounded_faces(model(adapter, 10, SQUARE)) == 1  # its own one again
+
+
+def test_a_tolerance_decides_what_is_one_point(running: tuple[tuple[str, str], Adapter]) -> None:
+    """A gap of 0.3 is closed by a grid of 1, and by a snap distance of 0.5."""
+    of, adapter = running
+    kind = tolerance_kind(of)
+    if kind == "none" or of in ENDS_STAY:
+        return
+    with_gap = [*SQUARE[:3], [0.0, 4.0, 0.0, 0.3]]
+    tolerance = 1.0 if kind == "grid" else 0.5
+    assert acceptance.bounded_faces(model(adapter, 11, with_gap, tolerance)) == 1
+    if of != ("lar", "published"):  # without a cycle it fails
+        assert acceptance.bounded_faces(model(adapter, 12, with_gap, tolerance / 100)) == 0
+
+
+def test_ways_are_named_where_tolerances_can_be_chosen() -> None:
+    for engine in ENGINES:
+        for c in engine.listed["configurations"] if engine.listed else ():
+            tolerance = c["tolerance"]
+            assert (tolerance["kind"] == "none") == (not tolerance.get("way"))
 
 
 def test_answers_come_in_the_order_of_cases(running: tuple[tuple[str, str], Adapter]) -> None:

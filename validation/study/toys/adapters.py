@@ -73,13 +73,22 @@ class Adapter:
         )
         self._unread = b""
 
-    def ask(self, case: int, segments: list[list[float]], seconds: float) -> Answer:
-        """The answer to one case.
+    def ask(
+        self,
+        case: int,
+        segments: list[list[float]],
+        seconds: float,
+        tolerance: float | str | None = None,
+    ) -> Answer:
+        """The answer to one case. None: the configuration's own tolerance.
 
         Raises Stopped where none comes within so many seconds.
         """
         assert self._process.stdin is not None
-        line = json.dumps({"case": case, "segments": segments})
+        given: dict[str, Any] = {"case": case, "segments": segments}
+        if tolerance is not None:
+            given["tolerance"] = tolerance
+        line = json.dumps(given)
         try:
             self._process.stdin.write(line.encode() + b"\n")
             self._process.stdin.flush()

@@ -22,7 +22,7 @@ GridPoint on_grid(const study::Point& point, double scale) {
   std::array<Number, 2> result{};
   for (std::size_t k = 0; k < 2; ++k) {
     const double x = std::round(point[k] * scale);
-    if (std::abs(x) > std::numeric_limits<Number>::max()) {
+    if (!(std::abs(x) <= std::numeric_limits<Number>::max())) {
       throw study::EngineError("OutOfRange",
                                "coordinates times the scale are beyond 32-bit integers");
     }
@@ -31,29 +31,26 @@ GridPoint on_grid(const study::Point& point, double scale) {
   return {result[0], result[1]};
 }
 
-auto with_scale(double scale) {
-  return [scale](const std::vector<study::Segment>& segments, Clock& clock) {
-    std::vector<GridSegment> input;
-    for (const study::Segment& s : segments) {
-      const GridSegment rounded(on_grid(s[0], scale), on_grid(s[1], scale));
-      if (rounded.low() != rounded.high()) input.push_back(rounded);
-    }
-    std::vector<std::pair<std::size_t, GridSegment>> noded;
-    clock.start();
-    boost::polygon::intersect_segments(noded, input.begin(), input.end());
-    clock.stop();
-    Numbering number;
-    const auto numbered = [&](const GridPoint& p) {
-      return number({p.x() / scale, p.y() / scale});
-    };
-    std::vector<Edge> edges;
-    for (const auto& [source, piece] : noded)
-      edges.push_back({numbered(piece.low()), numbered(piece.high())});
-    Model model;
-    model.edges = study::each_once(std::move(edges));
-    model.vertices = std::move(number).points();
-    return model;
-  };
+Model noded(const std::vector<study::Segment>& segments, Clock& clock, double grid) {
+  const double scale = 1 / grid;
+  std::vector<GridSegment> input;
+  for (const study::Segment& s : segments) {
+    const GridSegment rounded(on_grid(s[0], scale), on_grid(s[1], scale));
+    if (rounded.low() != rounded.high()) input.push_back(rounded);
+  }
+  std::vector<std::pair<std::size_t, GridSegment>> pieces;
+  clock.start();
+  boost::polygon::intersect_segments(pieces, input.begin(), input.end());
+  clock.stop();
+  Numbering number;
+  const auto numbered = [&](const GridPoint& p) { return number({p.x() / scale, p.y() / scale}); };
+  std::vector<Edge> edges;
+  for (const auto& [source, piece] : pieces)
+    edges.push_back({numbered(piece.low()), numbered(piece.high())});
+  Model model;
+  model.edges = study::each_once(std::move(edges));
+  model.vertices = std::move(number).points();
+  return model;
 }
 
 study::Configuration configuration(const std::string& name, double scale) {
@@ -62,8 +59,9 @@ study::Configuration configuration(const std::string& name, double scale) {
           "grid",
           1 / scale,
           "segment concept: intersect_segments, on integral coordinates, which the user scales",
-          with_scale(scale),
-          "integers"};
+          noded,
+          "integers",
+          "intersect_segments"};
 }
 
 }  // namespace

@@ -5,7 +5,6 @@ Edges are its fixed edges; faces are its triangles, joined across edges that are
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from importlib.metadata import version
 
 import numpy as np
@@ -24,26 +23,22 @@ from study_adapter import (
 from triangle_faces import faces_of_triangles
 
 
-def resolved_within(distance: float) -> Callable[[Floats, Clock], Model]:
-    """The way to run it: `distance` is CDT's min_dist_to_constraint_edge."""
-
-    def run(segments: Floats, clock: Clock) -> Model:
-        points, pairs = endpoints(segments)
-        constraints = np.array(edges_once(pairs), dtype=np.uintc).reshape(-1, 2)
-        if not len(constraints):
-            return {"V": [], "EV": [], "polygons": []}
-        with clock:
-            t = cdt.Triangulation(
-                cdt.VertexInsertionOrder.AUTO,
-                cdt.IntersectingConstraintEdges.TRY_RESOLVE,
-                distance,
-            )
-            t.insert_vertices(points)
-            t.insert_edges(constraints)
-            t.erase_super_triangle()
-        return _model(t)
-
-    return run
+def resolved(segments: Floats, clock: Clock, distance: float | None) -> Model:
+    """`distance` is CDT's min_dist_to_constraint_edge."""
+    points, pairs = endpoints(segments)
+    constraints = np.array(edges_once(pairs), dtype=np.uintc).reshape(-1, 2)
+    if not len(constraints):
+        return {"V": [], "EV": [], "polygons": []}
+    with clock:
+        t = cdt.Triangulation(
+            cdt.VertexInsertionOrder.AUTO,
+            cdt.IntersectingConstraintEdges.TRY_RESOLVE,
+            distance,
+        )
+        t.insert_vertices(points)
+        t.insert_edges(constraints)
+        t.erase_super_triangle()
+    return _model(t)
 
 
 def _model(t: cdt.Triangulation) -> Model:
@@ -64,7 +59,7 @@ CONFIGURATIONS = [
         "TRY_RESOLVE",
         ("none", 0),
         "CDT: TRY_RESOLVE is its way to take constraints that cross",
-        resolved_within(0.0),
+        resolved,
     ),
     Configuration(
         "try-resolve-1e-9",
@@ -72,8 +67,9 @@ CONFIGURATIONS = [
         ("snap", 1e-9),
         "CDT, minDistToConstraintEdge: 'distance within which point is considered to be lying "
         "on a constraint edge'",
-        resolved_within(1e-9),
+        resolved,
         promise="some",  # nothing of vertices that are near each other
+        way="TRY_RESOLVE, vertices near edges on them",
     ),
 ]
 

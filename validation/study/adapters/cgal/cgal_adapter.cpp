@@ -76,7 +76,7 @@ Model model_of(const Arrangement& arrangement) {
 }
 
 template <class Kernel>
-Model arranged(const std::vector<study::Segment>& segments, Clock& clock) {
+Model arranged(const std::vector<study::Segment>& segments, Clock& clock, double) {
   using Traits = CGAL::Arr_segment_traits_2<Kernel>;
   std::vector<typename Traits::Curve_2> curves;
   for (const study::Segment& s : segments) {
@@ -91,7 +91,7 @@ Model arranged(const std::vector<study::Segment>& segments, Clock& clock) {
 }
 
 template <class Kernel, class Tag>
-Model triangulated(const std::vector<study::Segment>& segments, Clock& clock) {
+Model triangulated(const std::vector<study::Segment>& segments, Clock& clock, double) {
   using Points = CGAL::Triangulation_vertex_base_2<Kernel>;
   using Triangles = CGAL::Constrained_triangulation_face_base_2<Kernel>;
   using Structure = CGAL::Triangulation_data_structure_2<Points, Triangles>;

@@ -19,6 +19,7 @@ namespace {
 struct Case {
   std::string number;  // as it was given
   std::vector<Segment> segments;
+  std::optional<double> tolerance;
 };
 
 std::string quoted(const std::string& text) {
@@ -37,11 +38,24 @@ std::string decimals(double x) {
   return std::string(text.data(), end);
 }
 
-// The text after `"name":`.
-const char* value_of(const std::string& line, const std::string& name) {
+// The text after `"name":`; null where there is none.
+const char* value_or_null(const std::string& line, const std::string& name) {
   const std::size_t at = line.find(quoted(name));
-  if (at == std::string::npos) throw std::runtime_error("a case without " + name);
-  return std::strchr(line.c_str() + at, ':') + 1;
+  return at == std::string::npos ? nullptr : std::strchr(line.c_str() + at, ':') + 1;
+}
+
+const char* value_of(const std::string& line, const std::string& name) {
+  const char* const value = value_or_null(line, name);
+  if (value == nullptr) throw std::runtime_error("a case without " + name);
+  return value;
+}
+
+// What is no number is read as NaN.
+std::optional<double> number_of(const char* text) {
+  if (text == nullptr) return std::nullopt;
+  char* end = nullptr;
+  const double number = std::strtod(text, &end);
+  return end == text ? std::nan("") : number;
 }
 
 // A case has a number and lists of numbers, so nothing but numbers has to be found.
@@ -67,7 +81,23 @@ Case read_case(const std::string& line) {
     const Segment s{Point{numbers[i], numbers[i + 1]}, Point{numbers[i + 2], numbers[i + 3]}};
     if (s[0] != s[1]) result.segments.push_back(s);
   }
+  result.tolerance = number_of(value_or_null(line, "tolerance"));
   return result;
+}
+
+double tolerance_of(const Configuration& configuration, const Case& given) {
+  if (!given.tolerance) return configuration.tolerance;
+  const double wanted = *given.tolerance;
+  if (configuration.tolerance_kind == "none") {
+    throw BadTolerance("this configuration has no tolerance");
+  }
+  if (!std::isfinite(wanted) || wanted < 0) {
+    throw BadTolerance("a tolerance is a number, not below 0");
+  }
+  if (configuration.tolerance_kind == "grid" && wanted == 0) {
+    throw BadTolerance("a grid has a distance above 0");
+  }
+  return wanted;
 }
 
 // A list of what `item` writes.
@@ -120,7 +150,8 @@ std::string answer(const Configuration& configuration, const std::string& line) 
   Clock clock;
   std::string said;
   try {
-    const Model model = configuration.run(given.segments, clock);
+    const double tolerance = tolerance_of(configuration, given);
+    const Model model = configuration.run(given.segments, clock, tolerance);
     ensure_finite(model);
     said = "\"model\": " + written(model);
   } catch (const EngineError& error) {
@@ -140,7 +171,7 @@ std::string listed(const Engine& engine) {
   out += ", \"configurations\": " + list(engine.configurations, [](const Configuration& c) {
            return "{\"name\": " + quoted(c.name) + ", \"title\": " + quoted(c.title) +
                   ", \"tolerance\": {\"kind\": " + quoted(c.tolerance_kind) +
-                  ", \"value\": " + decimals(c.tolerance) +
+                  ", \"value\": " + decimals(c.tolerance) + ", \"way\": " + quoted(c.way) +
                   (c.promise.empty() ? "" : ", \"promise\": " + quoted(c.promise)) +
                   "}, \"source\": " + quoted(c.source) + "}";
          });

@@ -52,17 +52,25 @@ class EngineError : public std::runtime_error {
   std::string kind_;
 };
 
-// One way to call an engine. `run` gets segments of which none is of length 0. `tolerance_kind` is
-// none, grid or snap; `source` says where the engine's own documentation has this way; `promise`,
-// if it is not empty, what the tolerance promises, as ../README.md has it.
+// A tolerance that an engine cannot have.
+class BadTolerance : public EngineError {
+ public:
+  explicit BadTolerance(const std::string& message) : EngineError("BadTolerance", message) {}
+};
+
+// One way to call an engine. `run` gets segments of which none is of length 0, and the tolerance:
+// this one, or that of a case. `tolerance_kind` is none, grid or snap; `source` says where the
+// engine's own documentation has this way; `promise`, if it is not empty, what the tolerance
+// promises, as ../README.md has it; `way` what is called, without the tolerance.
 struct Configuration {
   std::string name;
   std::string title;
   std::string tolerance_kind;
   double tolerance;
   std::string source;
-  std::function<Model(const std::vector<Segment>&, Clock&)> run;
+  std::function<Model(const std::vector<Segment>&, Clock&, double)> run;
   std::string promise = "";
+  std::string way = "";
 };
 
 // `algorithm` is what counts as one independent engine: wrappers of one share it.

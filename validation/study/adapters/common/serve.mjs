@@ -12,6 +12,13 @@ export class EngineError extends Error {
   }
 }
 
+/** A tolerance that an engine cannot have. */
+export class BadTolerance extends EngineError {
+  constructor(message) {
+    super('BadTolerance', message);
+  }
+}
+
 /** Of the package that npm installed; this file is linked beside node_modules. */
 export function versionOf(name) {
   return JSON.parse(readFileSync(`${process.cwd()}/node_modules/${name}/package.json`, 'utf8')).version;
@@ -19,8 +26,9 @@ export function versionOf(name) {
 
 /**
  * Runs an adapter: lists it, or answers the cases of standard input. `engine` has engine, title, version, algorithm,
- * licence and configurations; of each configuration `run` gets segments [ax, ay, bx, by], of which none is of length 0, and
- * a clock whose `time(f)` is to be called with what the engine does. It returns, or promises, a model.
+ * licence and configurations; of each configuration `run` gets segments [ax, ay, bx, by], of which none is of length 0,
+ * a clock whose `time(f)` is to be called with what the engine does, and the tolerance: the configuration's, or that of the
+ * case. It returns, or promises, a model.
  */
 export async function serve(engine) {
   const wanted = process.argv[2];
@@ -40,6 +48,14 @@ export async function serve(engine) {
   }
 }
 
+function toleranceOf({tolerance: {kind, value}}, {tolerance: wanted}) {
+  if (wanted === undefined) return value;
+  if (kind === 'none') throw new BadTolerance('this configuration has no tolerance');
+  if (!Number.isFinite(wanted) || wanted < 0) throw new BadTolerance('a tolerance is a number, not below 0');
+  if (kind === 'grid' && wanted === 0) throw new BadTolerance('a grid has a distance above 0');
+  return wanted;
+}
+
 async function answer(configuration, given) {
   const segments = given.segments
     .map((segment) => segment.map((x) => x + 0)) // no -0
@@ -57,7 +73,7 @@ async function answer(configuration, given) {
   };
   let said;
   try {
-    const model = await configuration.run(segments, clock);
+    const model = await configuration.run(segments, clock, toleranceOf(configuration, given));
     if (!model.V.every((point) => point.every(Number.isFinite))) {
       throw new EngineError('NotFinite', 'coordinates of the result are not finite');
     }

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import os
 import sys
 import time
@@ -47,22 +48,33 @@ class EngineError(Exception):
         self.kind = kind
 
 
+class BadTolerance(EngineError):
+    """A tolerance that an engine cannot have."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__("BadTolerance", message)
+
+
 @dataclass(frozen=True)
 class Configuration:
     """One way to call an engine.
 
-    `run` gets segments, rows ax, ay, bx, by, of which none is of length 0, and returns a model.
-    `tolerance` is ("none", 0), ("grid", its distance) or ("snap", the distance); `source` says
-    where the engine's own documentation has this way; `promise`, if it is not empty, what the
-    tolerance promises, as ../README.md has it.
+    `run` gets segments, rows ax, ay, bx, by, of which none is of length 0, and a tolerance, and
+    returns a model. `tolerance` is ("none", 0), ("grid", its distance) or ("snap", the distance);
+    `source` says where the engine's own documentation has this way; `promise`, if it is not empty,
+    what the tolerance promises, as ../README.md has it; `way` what is called, without the
+    tolerance.
     """
 
     name: str
     title: str
     tolerance: tuple[str, float]
     source: str
-    run: Callable[[Floats, Clock], Model]
+    run: Callable[[Floats, Clock, float | None], Model]
     promise: str = ""
+    way: str = ""
+    is_automatic: bool = False
+    """The engine chooses its tolerance: where a case has none, `run` gets None."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +94,7 @@ class Engine:
             {
                 "name": c.name,
                 "title": c.title,
-                "tolerance": {"kind": c.tolerance[0], "value": c.tolerance[1]}
+                "tolerance": {"kind": c.tolerance[0], "value": c.tolerance[1], "way": c.way}
                 | ({"promise": c.promise} if c.promise else {}),
                 "source": c.source,
             }
@@ -133,7 +145,7 @@ def _answer(configuration: Configuration, case: dict[str, Any]) -> dict[str, Any
     segments = segments[(segments[:, :2] != segments[:, 2:]).any(axis=1)]
     clock = Clock()
     try:
-        model = configuration.run(segments, clock)
+        model = configuration.run(segments, clock, _tolerance(configuration, case))
         if not np.isfinite(np.array(model["V"], dtype=np.float64)).all():
             raise EngineError("NotFinite", "coordinates of the result are not finite")
     except EngineError as error:
@@ -141,6 +153,20 @@ def _answer(configuration: Configuration, case: dict[str, Any]) -> dict[str, Any
     except Exception as error:
         return _failed(case, clock, type(error).__name__, str(error))
     return {"case": case["case"], "seconds": clock.seconds, "model": model}
+
+
+def _tolerance(configuration: Configuration, case: dict[str, Any]) -> float | None:
+    kind, value = configuration.tolerance
+    if "tolerance" not in case:
+        return None if configuration.is_automatic else value
+    wanted = case["tolerance"]
+    if kind == "none":
+        raise BadTolerance("this configuration has no tolerance")
+    if not isinstance(wanted, (int, float)) or not math.isfinite(wanted) or wanted < 0:
+        raise BadTolerance("a tolerance is a number, not below 0")
+    if kind == "grid" and wanted == 0:
+        raise BadTolerance("a grid has a distance above 0")
+    return float(wanted)
 
 
 def _failed(case: dict[str, Any], clock: Clock, kind: str, message: str) -> dict[str, Any]:

@@ -15,20 +15,25 @@ from study_adapter import Clock, Configuration, Engine, Floats, Model, distinct,
 
 GRID = 1e-9
 NODED: dict[str, Any] = {"node_input": True}
-CERTIFIED: dict[str, Any] = {
-    "node_input": True,
-    "precision_model": {"type": "fixed_grid", "grid_size": GRID},
-    "noding": {"backend": "Snap", "guarantee": "CertifiedFixedPrecision"},
-}
 
 
-def with_options(options: dict[str, Any]) -> Callable[[Floats, Clock], Model]:
-    def run(segments: Floats, clock: Clock) -> Model:
+def certified(grid: float | None) -> dict[str, Any]:
+    return {
+        "node_input": True,
+        "precision_model": {"type": "fixed_grid", "grid_size": grid},
+        "noding": {"backend": "Snap", "guarantee": "CertifiedFixedPrecision"},
+    }
+
+
+def with_options(
+    options: Callable[[float | None], dict[str, Any]],
+) -> Callable[[Floats, Clock, float | None], Model]:
+    def run(segments: Floats, clock: Clock, grid: float | None) -> Model:
         starts = np.arange(0, 2 * len(segments), 2, dtype=np.uint32)
         points = np.ascontiguousarray(segments.reshape(-1, 2))
         with clock:
             result = geo_polygonize.polygonize_with_options(
-                coords=points, offsets=starts, options=options, output="lean_report"
+                coords=points, offsets=starts, options=options(grid), output="lean_report"
             )
         return _model(result)
 
@@ -61,14 +66,15 @@ CONFIGURATIONS = [
         "node_input, floating",
         ("none", 0),
         "README: where intersections are unresolved, enable node_input; floating by default",
-        with_options(NODED),
+        with_options(lambda _: NODED),
     ),
     Configuration(
         "certified-1e-9",
         "certified fixed precision, grid 1e-9",
         ("grid", GRID),
         "README: CertifiedFixedPrecision, hot-pixel snap rounding plus validation",
-        with_options(CERTIFIED),
+        with_options(certified),
+        way="certified fixed precision",
     ),
 ]
 

@@ -106,14 +106,14 @@ Model model_of(const Geos& geos, const GEOSGeometry* noded, const GEOSGeometry* 
   return model;
 }
 
-using Node = std::function<Geos::Geometry(const Geos&, const GEOSGeometry*)>;
+using Node = std::function<Geos::Geometry(const Geos&, const GEOSGeometry*, double)>;
 
 auto noded_by(Node node) {
-  return [node](const std::vector<Segment>& segments, Clock& clock) {
+  return [node](const std::vector<Segment>& segments, Clock& clock, double grid) {
     const Geos geos;
     const Geos::Geometry lines = lines_of(geos, segments);
     clock.start();
-    const Geos::Geometry noded = node(geos, lines.get());
+    const Geos::Geometry noded = node(geos, lines.get(), grid);
     const GEOSGeometry* const only = noded.get();
     const Geos::Geometry polygons = geos.geometry(GEOSPolygonize_r(geos, &only, 1));
     clock.stop();
@@ -121,21 +121,21 @@ auto noded_by(Node node) {
   };
 }
 
-Geos::Geometry node(const Geos& geos, const GEOSGeometry* lines) {
+Geos::Geometry node(const Geos& geos, const GEOSGeometry* lines, double) {
   return geos.geometry(GEOSNode_r(geos, lines));
 }
 
-Geos::Geometry unary_union(const Geos& geos, const GEOSGeometry* lines) {
+Geos::Geometry unary_union(const Geos& geos, const GEOSGeometry* lines, double) {
   return geos.geometry(GEOSUnaryUnion_r(geos, lines));
 }
 
-Geos::Geometry union_on_grid(const Geos& geos, const GEOSGeometry* lines) {
-  return geos.geometry(GEOSUnaryUnionPrec_r(geos, lines, kGrid));
+Geos::Geometry union_on_grid(const Geos& geos, const GEOSGeometry* lines, double grid) {
+  return geos.geometry(GEOSUnaryUnionPrec_r(geos, lines, grid));
 }
 
-Geos::Geometry set_precision_then_node(const Geos& geos, const GEOSGeometry* lines) {
-  const Geos::Geometry on_grid = geos.geometry(GEOSGeom_setPrecision_r(geos, lines, kGrid, 0));
-  return node(geos, on_grid.get());
+Geos::Geometry set_precision_then_node(const Geos& geos, const GEOSGeometry* lines, double grid) {
+  const Geos::Geometry on_grid = geos.geometry(GEOSGeom_setPrecision_r(geos, lines, grid, 0));
+  return node(geos, on_grid.get(), grid);
 }
 
 }  // namespace
@@ -161,11 +161,11 @@ int main(int argc, char** argv) {
            {"union-grid-1e-9", "GEOSUnaryUnionPrec, grid 1e-9", "grid", kGrid,
             "geos_c.h, GEOSUnaryUnionPrec: 'all the vertices of the output geometry must fall on "
             "the grid'",
-            noded_by(union_on_grid)},
+            noded_by(union_on_grid), "", "GEOSUnaryUnionPrec"},
            {"set-precision-1e-9-node", "GEOSGeom_setPrecision 1e-9, GEOSNode", "grid", kGrid,
             "what shapely's configuration of this name calls; geos_c.h promises the grid for "
             "overlay functions only",
-            noded_by(set_precision_then_node), "some"},
+            noded_by(set_precision_then_node), "some", "GEOSGeom_setPrecision, GEOSNode"},
        }},
       argc, argv);
 }

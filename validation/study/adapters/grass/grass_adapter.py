@@ -41,11 +41,13 @@ def module(*arguments: str, given: str | None = None) -> str:
     return run.stdout
 
 
-def cleaned_by(tools: str, thresholds: str, *flags: str) -> Callable[[Floats, Clock], Model]:
-    how = [*flags, "type=line", f"tool={tools}", f"threshold={thresholds}"]
-    clean = ["v.clean", "--q", "--o", *how]
+def cleaned_by(tools: str, *flags: str) -> Callable[[Floats, Clock, float | None], Model]:
+    """The tolerance is the threshold of the tool snap; others have none."""
 
-    def run(segments: Floats, clock: Clock) -> Model:
+    def run(segments: Floats, clock: Clock, tolerance: float | None) -> Model:
+        thresholds = ",".join(repr(tolerance) if t == "snap" else "0" for t in tools.split(","))
+        how = [*flags, "type=line", f"tool={tools}", f"threshold={thresholds}"]
+        clean = ["v.clean", "--q", "--o", *how]
         if not len(segments):
             return {"V": [], "EV": [], "polygons": []}
         records = "".join(
@@ -121,7 +123,7 @@ CONFIGURATIONS = [
         "v.clean break, rmdupl",
         ("none", 0),
         "v.clean manual: breaking lines should be followed by removing duplicates",
-        cleaned_by("break,rmdupl", "0,0"),
+        cleaned_by("break,rmdupl"),
     ),
     Configuration(
         "snap-1e-9-break",
@@ -129,16 +131,18 @@ CONFIGURATIONS = [
         ("snap", SNAP),
         "v.clean manual: what was snapped may need break, rmdupl; "
         "order of the tools as in the manual's examples",
-        cleaned_by("snap,break,rmdupl", f"{SNAP!r},0,0"),
+        cleaned_by("snap,break,rmdupl"),
         promise="some",  # vertices of the input that are near each other
+        way="v.clean snap, break, rmdupl",
     ),
     Configuration(
         "break-snap-1e-9-break",
         "v.clean break, snap 1e-9, break, rmdupl",
         ("snap", SNAP),
         "v.clean manual: snap joins vertices to vertices only, so crossings are to be there",
-        cleaned_by("break,snap,break,rmdupl", f"0,{SNAP!r},0,0"),
+        cleaned_by("break,snap,break,rmdupl"),
         promise="some",  # vertices that are near each other, and not near edges
+        way="v.clean break, snap, break, rmdupl",
     ),
     Configuration(
         "combined-snap-1e-9",
@@ -146,8 +150,9 @@ CONFIGURATIONS = [
         ("snap", SNAP),
         "v.clean manual, flag -c: 'combine tools with recommended follow-up tools', here break, "
         "rmdupl, rmsa, repeated",
-        cleaned_by("snap", f"{SNAP!r}", "-c"),
+        cleaned_by("snap", "-c"),
         promise="some",  # as above
+        way="v.clean -c snap",
     ),
 ]
 

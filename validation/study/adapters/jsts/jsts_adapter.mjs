@@ -9,7 +9,7 @@ import Polygonizer from 'jsts/org/locationtech/jts/operation/polygonize/Polygoni
 import UnaryUnionOp from 'jsts/org/locationtech/jts/operation/union/UnaryUnionOp.js';
 import {Numbering, eachOnce, serve, versionOf} from './serve.mjs';
 
-const SCALE = 1e9; // of the grid 1e-9
+const GRID = 1e-9;
 const factory = new GeometryFactory();
 
 function union(lines) {
@@ -17,18 +17,30 @@ function union(lines) {
   return Array.from({length: noded.getNumGeometries()}, (_, i) => noded.getGeometryN(i));
 }
 
-function snapRound(lines) {
+/** GeometryNoder takes lines whose ends are on the grid. */
+function snapRound(lines, grid) {
+  const precision = new PrecisionModel(scaleOf(grid));
   const given = new ArrayList();
-  for (const line of lines) given.add(line);
-  return given.isEmpty() ? [] : new GeometryNoder(new PrecisionModel(SCALE)).node(given).toArray();
+  for (const line of lines) {
+    const ends = line.getCoordinates().map(({x, y}) =>
+      new Coordinate(precision.makePrecise(x), precision.makePrecise(y)));
+    if (!ends[0].equals2D(ends[1])) given.add(factory.createLineString(ends));
+  }
+  return given.isEmpty() ? [] : new GeometryNoder(precision).node(given).toArray();
+}
+
+/** Of grids of powers of ten the integer; 1 / 1e-9 is another double. */
+function scaleOf(grid) {
+  const integer = Math.round(1 / grid);
+  return 1 / integer === grid ? integer : 1 / grid;
 }
 
 function nodedBy(node) {
-  return async (segments, clock) => {
+  return async (segments, clock, tolerance) => {
     const lines = segments.map(([ax, ay, bx, by]) =>
       factory.createLineString([new Coordinate(ax, ay), new Coordinate(bx, by)]));
     const [noded, polygons] = await clock.time(() => {
-      const noded = node(lines);
+      const noded = node(lines, tolerance);
       const polygonizer = new Polygonizer();
       for (const piece of piecesOf(noded)) polygonizer.add(factory.createLineString(piece));
       return [noded, polygonizer.getPolygons().toArray()];
@@ -78,7 +90,7 @@ serve({
     {
       name: 'snap-rounding-1e-9',
       title: 'GeometryNoder 1e-9',
-      tolerance: {kind: 'grid', value: 1 / SCALE},
+      tolerance: {kind: 'grid', value: GRID, way: 'GeometryNoder'},
       source: 'API: noding/snapround/GeometryNoder with a fixed PrecisionModel',
       run: nodedBy(snapRound),
     },

@@ -10,6 +10,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.locationtech.jts.JTSVersion;
 import org.locationtech.jts.algorithm.RobustLineIntersector;
 import org.locationtech.jts.geom.Coordinate;
@@ -33,41 +35,55 @@ import org.locationtech.jts.operation.polygonize.Polygonizer;
 /** JTS's noders, one by one, each followed by its Polygonizer, by the protocol of ../README.md. */
 public final class JtsAdapter {
   private static final double SNAP = 1e-10;
-  private static final double SCALE = 1e9; // of the grid 1e-9; 1 / 1e-9 is another double
+  private static final double GRID = 1e-9;
   private static final GeometryFactory FACTORY = new GeometryFactory();
 
   /** Noded lines of two points each, some of them repeated. */
   private interface Way {
-    List<Coordinate[]> noded(double[] segments) throws Exception;
+    List<Coordinate[]> noded(double[] segments, double tolerance) throws Exception;
   }
 
   private record Configuration(
-      String name, String title, String kind, double tolerance, String source, Way way) {}
+      String name, String title, String kind, double tolerance, String source, Way way,
+      String wayTitle) {
+    Configuration(String name, String title, String source, Way way) {
+      this(name, title, "none", 0, source, way, "");
+    }
+  }
+
+  /** A tolerance that an engine cannot have. */
+  private static final class BadTolerance extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    BadTolerance(String message) {
+      super(message);
+    }
+  }
 
   private static final List<Configuration> CONFIGURATIONS =
       List.of(
-          new Configuration("mcindex", "MCIndexNoder", "none", 0,
-              "API: MCIndexNoder with an IntersectionAdder, one pass", by(JtsAdapter::mcIndex)),
-          new Configuration("mcindex-validated", "MCIndexNoder, FastNodingValidator", "none", 0,
+          new Configuration("mcindex", "MCIndexNoder",
+              "API: MCIndexNoder with an IntersectionAdder, one pass", by(t -> mcIndex())),
+          new Configuration("mcindex-validated", "MCIndexNoder, FastNodingValidator",
               "API: FastNodingValidator checks that the result is fully noded",
               JtsAdapter::validated),
-          new Configuration("iterated", "IteratedNoder", "none", 0,
+          new Configuration("iterated", "IteratedNoder",
               "API: IteratedNoder, 'repeated until no further intersections are detected'",
-              by(() -> new IteratedNoder(new PrecisionModel()))),
+              by(t -> new IteratedNoder(new PrecisionModel()))),
           new Configuration("snapping-1e-10", "SnappingNoder 1e-10", "snap", SNAP,
               "API: SnappingNoder, 'a factor of about 10e-12 smaller than the magnitude'; "
                   + "here of 10",
-              by(() -> new SnappingNoder(SNAP))),
-          new Configuration("snap-rounding-1e-9", "SnapRoundingNoder 1e-9", "grid", 1 / SCALE,
+              by(SnappingNoder::new), "SnappingNoder"),
+          new Configuration("snap-rounding-1e-9", "SnapRoundingNoder 1e-9", "grid", GRID,
               "API: SnapRoundingNoder with a fixed PrecisionModel",
-              by(() -> new SnapRoundingNoder(new PrecisionModel(SCALE)))),
-          new Configuration("overlayng-robust", "OverlayNGRobust.union", "none", 0,
+              by(t -> new SnapRoundingNoder(new PrecisionModel(scaleOf(t)))), "SnapRoundingNoder"),
+          new Configuration("overlayng-robust", "OverlayNGRobust.union",
               "API: OverlayNGRobust, floating first, then snapping, then snap rounding",
-              segments -> piecesOf(OverlayNGRobust.union(lines(segments)))),
-          new Configuration("union", "Geometry.union", "none", 0,
+              (segments, unused) -> piecesOf(OverlayNGRobust.union(lines(segments)))),
+          new Configuration("union", "Geometry.union",
               "API: UnaryUnionOp, unions of lines are noded and dissolved; the old overlay, "
                   + "which is the default",
-              segments -> piecesOf(lines(segments).union())));
+              (segments, unused) -> piecesOf(lines(segments).union())));
 
   private JtsAdapter() {}
 
@@ -95,13 +111,13 @@ public final class JtsAdapter {
   }
 
   private static String answer(Configuration configuration, String line) {
-    String number = line.replaceFirst(".*\"case\"\\s*:\\s*(-?[0-9]+).*", "$1");
+    String number = textOf("case", line);
     double[] segments = segmentsOf(line);
     long began = System.nanoTime();
     String said;
     double seconds;
     try {
-      List<Coordinate[]> noded = once(configuration.way.noded(segments));
+      List<Coordinate[]> noded = once(configuration.way.noded(segments, toleranceOf(configuration, line)));
       Polygonizer polygonizer = new Polygonizer();
       for (Coordinate[] ends : noded) polygonizer.add(FACTORY.createLineString(ends));
       @SuppressWarnings("unchecked")
@@ -115,6 +131,40 @@ public final class JtsAdapter {
       said = failed(error.getClass().getSimpleName(), error.getMessage());
     }
     return "{\"case\": " + number + ", \"seconds\": " + seconds + ", " + said + "}";
+  }
+
+  /** The word after a name; null where there is none. */
+  private static String textOf(String name, String line) {
+    Matcher found =
+        Pattern.compile('"' + name + "\"\\s*:\\s*([-+.\\w]+|\"[^\"]*\")").matcher(line);
+    return found.find() ? found.group(1) : null;
+  }
+
+  private static double toleranceOf(Configuration configuration, String line) throws BadTolerance {
+    String wanted = textOf("tolerance", line);
+    if (wanted == null) return configuration.tolerance;
+    if (configuration.kind.equals("none")) {
+      throw new BadTolerance("this configuration has no tolerance");
+    }
+    double tolerance;
+    try {
+      tolerance = Double.parseDouble(wanted);
+    } catch (NumberFormatException error) {
+      tolerance = Double.NaN;
+    }
+    if (!Double.isFinite(tolerance) || tolerance < 0) {
+      throw new BadTolerance("a tolerance is a number, not below 0");
+    }
+    if (configuration.kind.equals("grid") && tolerance == 0) {
+      throw new BadTolerance("a grid has a distance above 0");
+    }
+    return tolerance;
+  }
+
+  /** Of grids of powers of ten the integer; 1 / 1e-9 is another double. */
+  private static double scaleOf(double grid) {
+    double integer = Math.rint(1 / grid);
+    return 1 / integer == grid ? integer : 1 / grid;
   }
 
   private static boolean isFinite(List<Coordinate[]> noded) {
@@ -146,18 +196,18 @@ public final class JtsAdapter {
   }
 
   private interface MakesNoder {
-    Noder make();
+    Noder make(double tolerance);
   }
 
   private static Way by(MakesNoder noder) {
-    return segments -> nodedBy(noder.make(), segments);
+    return (segments, tolerance) -> nodedBy(noder.make(tolerance), segments);
   }
 
   private static Noder mcIndex() {
     return new MCIndexNoder(new IntersectionAdder(new RobustLineIntersector()));
   }
 
-  private static List<Coordinate[]> validated(double[] segments) {
+  private static List<Coordinate[]> validated(double[] segments, double unused) {
     Noder noder = mcIndex();
     List<SegmentString> strings = strings(segments);
     noder.computeNodes(strings);
@@ -278,7 +328,7 @@ public final class JtsAdapter {
       configurations.add(
           "{\"name\": " + quoted(c.name) + ", \"title\": " + quoted(c.title)
               + ", \"tolerance\": {\"kind\": " + quoted(c.kind) + ", \"value\": " + c.tolerance
-              + "}, \"source\": " + quoted(c.source) + "}");
+              + ", \"way\": " + quoted(c.wayTitle) + "}, \"source\": " + quoted(c.source) + "}");
     }
     String version = JTSVersion.CURRENT_VERSION.toString();
     return "{\"engine\": " + quoted(System.getProperty("engine", "jts"))

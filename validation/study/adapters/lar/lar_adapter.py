@@ -14,12 +14,14 @@ from study_adapter import Clock, Configuration, Engine, Floats, Model, edges_onc
 
 def variant(
     name: Literal["published", "repaired"],
-) -> Callable[[Floats, Clock], Model]:
-    def run(segments: Floats, clock: Clock) -> Model:
+) -> Callable[[Floats, Clock, float | None], Model]:
+    def run(segments: Floats, clock: Clock, radius: float | None) -> Model:
         if not len(segments):
             return {"V": [], "EV": [], "FV": []}
         with clock:
-            result = plumbline.lar.arrange(segments, name, numbers="doubles", threads=1)
+            result = plumbline.lar.arrange(
+                segments, name, radius=radius, numbers="doubles", threads=1
+            )
         return {
             "V": result.V.tolist(),
             "EV": edges_once(result.EV),
@@ -36,6 +38,8 @@ CONFIGURATIONS = [
         ("snap", 0.001),
         "plumbline.lar.arrange: 0.001 of the longer side, at most a quarter of the shortest line",
         variant("repaired"),
+        way="repaired",
+        is_automatic=True,
     ),
     Configuration(
         "published",
@@ -43,6 +47,7 @@ CONFIGURATIONS = [
         ("snap", 0.001),
         "Paoluzzi, 'Accelerated intersection of geometric objects', November 2015",
         variant("published"),
+        way="as published, four decimals",
     ),
 ]
 

@@ -2,18 +2,23 @@
 
 import mapshaper from 'mapshaper';
 import {withoutBridges} from './loops.mjs';
-import {EngineError, Numbering, serve, versionOf} from './serve.mjs';
+import {BadTolerance, EngineError, Numbering, serve, versionOf} from './serve.mjs';
 
 function withOptions(options) {
-  return async (segments, clock) => {
+  return async (segments, clock, tolerance) => {
     if (!segments.length) return {V: [], polygons: []};
     const lines = segments.map(([ax, ay, bx, by]) => ({type: 'LineString', coordinates: [[ax, ay], [bx, by]]}));
     const input = JSON.stringify({type: 'GeometryCollection', geometries: lines});
     const output = await clock.time(() =>
-      mapshaper.applyCommands(`-quiet -i in.json ${options} -polygons -o out.json format=geojson`, {'in.json': input}));
+      mapshaper.applyCommands(`-quiet -i in.json ${options(tolerance)} -polygons -o out.json format=geojson`, {'in.json': input}));
     if (!output['out.json']) throw new EngineError('NoOutput', 'mapshaper wrote no file');
     return modelOf(JSON.parse(output['out.json']));
   };
+}
+
+function snapWithin(tolerance) {
+  if (!tolerance) throw new BadTolerance('0 is its automatic interval');
+  return `snap snap-interval=${tolerance}`;
 }
 
 function modelOf({geometries = [], features = []}) {
@@ -37,14 +42,14 @@ serve({
       title: '-polygons',
       tolerance: {kind: 'none', value: 0},
       source: 'help of -polygons: "convert polylines to polygons"; no gap tolerance',
-      run: withOptions(''),
+      run: withOptions(() => ''),
     },
     {
       name: 'snap-1e-9-polygons',
       title: '-i snap-interval=1e-9, -polygons',
-      tolerance: {kind: 'snap', value: 1e-9, promise: 'some'}, // vertices of the input, and not crossings
+      tolerance: {kind: 'snap', value: 1e-9, way: '-i snap-interval, -polygons', promise: 'some'}, // vertices, no crossings
       source: 'help of -i: snap, snap-interval, whose "default is tiny"',
-      run: withOptions('snap snap-interval=1e-9'),
+      run: withOptions(snapWithin),
     },
   ],
 });

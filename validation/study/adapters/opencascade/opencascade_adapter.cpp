@@ -72,7 +72,7 @@ std::vector<std::vector<Ring>> polygons_of(const TopoDS_Shape& faces, Numbering&
   return result;
 }
 
-Model fused(const std::vector<study::Segment>& segments, double fuzzy, Clock& clock) {
+Model fused(const std::vector<study::Segment>& segments, Clock& clock, double fuzzy) {
   if (segments.empty()) return {{}, {}, std::vector<std::vector<Ring>>()};
   if (segments.size() == 1) {  // it wants two or more
     return {{segments[0][0], segments[0][1]}, {{0, 1}}, std::vector<std::vector<Ring>>()};
@@ -105,14 +105,16 @@ Model fused(const std::vector<study::Segment>& segments, double fuzzy, Clock& cl
   return model;
 }
 
-auto with_fuzzy(double fuzzy) {
-  return [fuzzy](const std::vector<study::Segment>& segments, Clock& clock) {
-    try {
-      return fused(segments, fuzzy, clock);
-    } catch (const Standard_Failure& failure) {
-      throw study::EngineError(failure.DynamicType()->Name(), failure.GetMessageString());
-    }
-  };
+// Its fuzzy value is never less than what two points of any shape are told apart by.
+Model fused_within(const std::vector<study::Segment>& segments, Clock& clock, double tolerance) {
+  if (tolerance < Precision::Confusion()) {
+    throw study::BadTolerance("the tolerance of an edge is 1e-7 or more");
+  }
+  try {
+    return fused(segments, clock, tolerance);
+  } catch (const Standard_Failure& failure) {
+    throw study::EngineError(failure.DynamicType()->Name(), failure.GetMessageString());
+  }
 }
 
 }  // namespace
@@ -127,9 +129,10 @@ int main(int argc, char** argv) {
        {
            {"fuzzy-0", "fuzzy 0", "snap", Precision::Confusion(),
             "Boolean Operations: General Fuse with the tolerances of its arguments, 1e-7",
-            with_fuzzy(0)},
+            fused_within, "", "General Fuse, fuzzy value"},
            {"fuzzy-1e-6", "fuzzy 1e-6", "snap", 1e-6,
-            "Boolean Operations: fuzzy value, an additional tolerance", with_fuzzy(1e-6)},
+            "Boolean Operations: fuzzy value, an additional tolerance", fused_within,
+            "General Fuse, fuzzy value"},
        }},
       argc, argv);
 }

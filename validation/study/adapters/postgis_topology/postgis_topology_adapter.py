@@ -14,7 +14,6 @@ import signal
 import subprocess
 import tempfile
 import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +22,7 @@ import psycopg
 import shapely
 from geometries import as_lines, model_of
 from study_adapter import (
+    BadTolerance,
     Clock,
     Configuration,
     Engine,
@@ -111,32 +111,36 @@ _SERVER: list[psycopg.Connection[Any]] = []
 """The connection, once there is one."""
 
 
-def with_tolerance(tolerance: float) -> Callable[[Floats, Clock], Model]:
-    def run(segments: Floats, clock: Clock) -> Model:
-        if not _SERVER:
-            _SERVER.append(start_server())
-        connection = _SERVER[0]
-        lines = [shapely.to_wkb(line) for line in as_lines(segments)]
-        try:
-            with connection.cursor() as cursor:
-                cursor.execute("SELECT topology.CreateTopology('t', 0, %s)", [tolerance])
-                with clock:
-                    for line in lines:
-                        added = "SELECT topology.TopoGeo_AddLineString('t', %s::geometry, %s)"
-                        cursor.execute(added, [line, tolerance])
-                edges = _geometries(cursor, "SELECT ST_AsBinary(geom) FROM t.edge_data")
-                faces = _geometries(
-                    cursor,
-                    "SELECT ST_AsBinary(topology.ST_GetFaceGeometry('t', face_id)) FROM t.face "
-                    "WHERE face_id > 0 ORDER BY face_id",
-                )
-        except psycopg.Error as error:
-            raise EngineError(type(error).__name__, str(error).partition("\n")[0]) from None
-        finally:
-            connection.rollback()
-        return model_of(edges, faces)
+def added(segments: Floats, clock: Clock, tolerance: float | None) -> Model:
+    """Within 0 is within what PostGIS chooses by the size of coordinates."""
+    if not _SERVER:
+        _SERVER.append(start_server())
+    connection = _SERVER[0]
+    lines = [shapely.to_wkb(line) for line in as_lines(segments)]
+    try:
+        with connection.cursor() as cursor:
+            cursor.execute("SELECT topology.CreateTopology('t', 0, %s)", [tolerance])
+            with clock:
+                for line in lines:
+                    add = "SELECT topology.TopoGeo_AddLineString('t', %s::geometry, %s)"
+                    cursor.execute(add, [line, tolerance])
+            edges = _geometries(cursor, "SELECT ST_AsBinary(geom) FROM t.edge_data")
+            faces = _geometries(
+                cursor,
+                "SELECT ST_AsBinary(topology.ST_GetFaceGeometry('t', face_id)) FROM t.face "
+                "WHERE face_id > 0 ORDER BY face_id",
+            )
+    except psycopg.Error as error:
+        raise EngineError(type(error).__name__, str(error).partition("\n")[0]) from None
+    finally:
+        connection.rollback()
+    return model_of(edges, faces)
 
-    return run
+
+def added_within(segments: Floats, clock: Clock, tolerance: float | None) -> Model:
+    if not tolerance:
+        raise BadTolerance("0 is PostGIS's own choice, configuration tolerance-0")
+    return added(segments, clock, tolerance)
 
 
 def _geometries(cursor: psycopg.Cursor[Any], query: str) -> Any:
@@ -150,7 +154,7 @@ CONFIGURATIONS = [
         "TopoGeo_AddLineString, tolerance 0",
         ("none", 0),
         "PostGIS manual, CreateTopology with precision 0, TopoGeo_AddLineString",
-        with_tolerance(0.0),
+        added,
     ),
     Configuration(
         "tolerance-1e-9",
@@ -158,7 +162,8 @@ CONFIGURATIONS = [
         ("snap", SNAP),
         "PostGIS manual, TopoGeo_AddLineString: snaps 'to existing nodes or edges within given "
         "tolerance'",
-        with_tolerance(SNAP),
+        added_within,
+        way="TopoGeo_AddLineString",
     ),
 ]
 

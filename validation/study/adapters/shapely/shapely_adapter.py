@@ -13,33 +13,36 @@ GRID = 1e-9
 _MANUAL = "shapely manual"
 
 
-def noded_by(node: Callable[[Geometries], Any]) -> Callable[[Floats, Clock], Model]:
+def noded_by(
+    node: Callable[[Geometries, float | None], Any],
+) -> Callable[[Floats, Clock, float | None], Model]:
     """The way to run it: noded, then polygonized."""
 
-    def run(segments: Floats, clock: Clock) -> Model:
+    def run(segments: Floats, clock: Clock, tolerance: float | None) -> Model:
         lines = as_lines(segments)
         with clock:
-            noded = node(lines)
+            noded = node(lines, tolerance)
             polygons = shapely.get_parts(shapely.polygonize([noded]))
         return model_of(noded, polygons)
 
     return run
 
 
-def node(lines: Geometries) -> Any:
+def node(lines: Geometries, _: float | None) -> Any:
     return shapely.node(shapely.multilinestrings(lines))
 
 
-def unary_union(lines: Geometries) -> Any:
+def unary_union(lines: Geometries, _: float | None) -> Any:
     return shapely.unary_union(shapely.multilinestrings(lines))
 
 
-def union_on_grid(lines: Geometries) -> Any:
-    return shapely.union_all(lines, grid_size=GRID)
+def union_on_grid(lines: Geometries, grid: float | None) -> Any:
+    return shapely.union_all(lines, grid_size=grid)
 
 
-def set_precision_then_node(lines: Geometries) -> Any:
-    on_grid = shapely.set_precision(shapely.multilinestrings(lines), GRID, mode="valid_output")
+def set_precision_then_node(lines: Geometries, grid: float | None) -> Any:
+    assert grid is not None
+    on_grid = shapely.set_precision(shapely.multilinestrings(lines), grid, mode="valid_output")
     return shapely.node(on_grid)
 
 
@@ -64,6 +67,7 @@ CONFIGURATIONS = [
         ("grid", GRID),
         f"{_MANUAL}, union_all: with grid_size all coordinates are snapped to that grid",
         noded_by(union_on_grid),
+        way="union_all on a grid",
     ),
     Configuration(
         "set-precision-1e-9-node",
@@ -72,6 +76,7 @@ CONFIGURATIONS = [
         f"{_MANUAL}, set_precision: 'subsequent operations will always be performed in' it",
         noded_by(set_precision_then_node),
         promise="some",  # coordinates on the grid, no snap rounding
+        way="set_precision, node",
     ),
 ]
 
