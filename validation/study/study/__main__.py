@@ -17,7 +17,7 @@ from typing import Any
 from study import results
 from study.engines import Limits, NotHere, listing
 from study.results import Row
-from study.schedule import FULL, QUICK, Block, blocks
+from study.schedule import FULL, QUICK, Block, blocks, sweeps
 from study.work import Bounds, Engine, Worker
 
 _HERE = Path(__file__).resolve().parents[1]
@@ -124,6 +124,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--seeds", type=int, help="of each family, size and scale")
     parser.add_argument("--slow-seeds", type=int, default=50)
     parser.add_argument("--ulp-side", type=int)
+    parser.add_argument("--tolerances", action="store_true", help="the sweep of tolerances alone")
     parser.add_argument("--minutes", type=float, help="begins no block later")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--timeout", type=float, default=10.0, help="seconds for each case")
@@ -140,14 +141,16 @@ def main() -> int:
     base = FULL if given.full else QUICK
     amount = replace(base, first_seed=given.seed)
     if given.seeds is not None:
-        amount = replace(amount, seeds=given.seeds, scaled_seeds=given.seeds)
+        seeds = given.seeds
+        amount = replace(amount, seeds=seeds, scaled_seeds=seeds, swept_seeds=seeds)
     if given.ulp_side is not None:
         amount = replace(amount, ulp_side=given.ulp_side)
     engines = engines_of([_HERE / "adapters", *given.adapters], given.engine)
     if not engines:
         print("no engine is here", file=sys.stderr)
         return 2
-    todo = part_of(blocks(amount, given.drawings), given.part)
+    planned = sweeps(amount) if given.tolerances else blocks(amount, given.drawings)
+    todo = part_of(planned, given.part)
     limits = Limits(given.timeout, memory=int(given.memory * 2**30))
     bounds = Bounds(limits, 1 if given.full else 4, inf, given.slow_seeds, given.seed)
     if not given.full:

@@ -47,6 +47,9 @@ class Configuration:
     source: str
     promise: str = ""
     """What the tolerance promises, where it is something else than its kind alone says."""
+    way: str = ""
+    """What is called, without the tolerance, where there is one: configurations of an engine with
+    the same one differ by tolerance alone."""
 
     @property
     def key(self) -> tuple[str, str, str]:
@@ -106,6 +109,7 @@ def listing(adapter: Path, timeout: float = 60.0) -> list[Configuration]:
                 float(c["tolerance"].get("value") or 0),
                 c.get("source", ""),
                 c["tolerance"].get("promise", ""),
+                c["tolerance"].get("way") or "",
             )
             for c in said["configurations"]
         ]
@@ -131,10 +135,12 @@ class Adapter:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def ask(self, segments: Sequence[Sequence[float]]) -> Reply:
-        """The answer to a case, whatever happens."""
+    def ask(self, segments: Sequence[Sequence[float]], tolerance: float | None = None) -> Reply:
+        """The answer to a case, whatever happens. None: within the configuration's tolerance."""
         self._case += 1
-        case = {"case": self._case, "segments": [list(s) for s in segments]}
+        case: dict[str, Any] = {"case": self._case, "segments": [list(s) for s in segments]}
+        if tolerance is not None:
+            case["tolerance"] = tolerance
         line = json.dumps(case).encode() + b"\n"
         if self._process is None or self._process.poll() is not None:
             self._start()

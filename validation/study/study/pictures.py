@@ -19,8 +19,7 @@ from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from study import tables
-from study.statistics import Share
+from study import responses, tables
 from study.tables import Engine, Study
 from study.words import LOUD, OUTCOMES, RIGHT, SILENT
 
@@ -57,7 +56,7 @@ def pictures(study: Study) -> dict[str, str]:
     for truth in study.truths:
         makers[f"silent_{truth}"] = partial(heat_map, study, truth)
         makers[f"outcomes_{truth}"] = partial(taxonomy, study, truth)
-        makers[f"tolerance_{truth}"] = partial(responses, study, truth)
+        makers[f"tolerance_{truth}"] = partial(tolerance_response, study, truth)
         makers[f"loud_{truth}"] = partial(loud_against_silent, study, truth)
     makers["times"] = partial(profile, study)
     for family in ("ulp map of a tee", "ulp map of a fan"):
@@ -124,30 +123,59 @@ def taxonomy(study: Study, truth: str) -> Figure | None:
     return figure
 
 
-def responses(study: Study, truth: str) -> Figure | None:
-    """Share of right answers over tolerance / feature size, with Wilson bands."""
-    found = tables.responses(study, truth)
-    if not found:
+_NO_TOLERANCE = -14  # where the ratio 0 is drawn
+
+
+def tolerance_response(study: Study, truth: str) -> Figure | None:
+    """Shares of right and of silently wrong answers over tolerance / feature size, with Wilson
+    bands: a row of plots for each engine, grids first, a column for each group of families."""
+    found = responses.Responses(study, truth)
+    engines, groups = found.engines, found.groups
+    if not engines:
         return None
-    figure, axes = pyplot.subplots(figsize=(8, 4.5))
-    for k, (engine, decades) in enumerate(found.items()):
-        _band(axes, decades, study.of(engine), k)
-    axes.set_xlabel("tolerance / least feature of the drawing, from 10 to the power of")
-    axes.set_ylabel("share of drawings right")
-    axes.set_ylim(-0.02, 1.02)
-    axes.axvline(0, color="#888888", linewidth=0.7)
-    axes.set_title(f"Where a tolerance is right; truth: {truth}")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), frameon=False)
+    size = (2.5 + 1.7 * len(groups), 1.2 + 0.85 * len(engines))
+    figure, grid = pyplot.subplots(
+        len(engines), len(groups), figsize=size, sharex=True, sharey=True, squeeze=False
+    )
+    for row, engine in zip(grid, engines):
+        for axes, group in zip(row, groups):
+            response = found.of_group(group, engine)
+            for outcomes, colour in (
+                (SILENT, _COLOURS["topology"]),
+                (RIGHT, _COLOURS["identical"]),
+            ):
+                _band(axes, response, outcomes, colour)
+            axes.axvline(0, color="#888888", linewidth=0.7)
+        title = found.titles[engine].replace(": ", ":\n", 1)
+        row[0].set_ylabel(
+            f"{title}\n({found.kinds[engine]})", rotation=0, ha="right", va="center", fontsize=8
+        )
+    for axes, group in zip(grid[0], groups):
+        axes.set_title(group, fontsize=9)
+    grid[0, 0].set_ylim(-0.05, 1.05)
+    ticks = [_NO_TOLERANCE, *range(-12, 2, 4)]
+    grid[0, 0].set_xticks(ticks, ["0", *(f"1e{k}" if k else "1" for k in ticks[1:])])
+    figure.supxlabel("tolerance / least feature of the drawing", y=0, fontsize=9)
+    figure.suptitle(f"Drawings right (blue) and silently wrong (orange); truth: {truth}", y=1.0)
+    figure.tight_layout()
     return figure
 
 
-def _band(axes: Axes, decades: dict[int, Share], label: str, k: int) -> None:
-    x = list(decades)
-    low, high = zip(*(s.interval for s in decades.values()))
-    colour, style = f"C{k % 10}", _LINES[k // 10 % len(_LINES)]
-    values = [s.value for s in decades.values()]
-    axes.plot(x, values, style, marker="o", markersize=3, color=colour, label=label)
-    axes.fill_between(x, low, high, color=colour, alpha=0.15, linewidth=0)
+def _band(axes: Axes, response: responses.Response, outcomes: tuple[str, ...], colour: str) -> None:
+    """The ratio 0 stands apart, joined to no other."""
+    for is_none in (True, False):
+        shares = {
+            r: responses.share(c, outcomes) for r, c in response.items() if (not r) == is_none
+        }
+        if not shares:
+            continue
+        x = [float(np.log10(r)) if r else _NO_TOLERANCE for r in shares]
+        low, high = zip(*(s.interval for s in shares.values()))
+        values = [s.value for s in shares.values()]
+        axes.plot(x, values, marker="o", markersize=2, linewidth=1.2, color=colour)
+        if is_none:
+            axes.vlines(x, low, high, color=colour, alpha=0.4)
+        axes.fill_between(x, low, high, color=colour, alpha=0.2, linewidth=0)
 
 
 def loud_against_silent(study: Study, truth: str) -> Figure | None:

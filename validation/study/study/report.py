@@ -10,7 +10,7 @@ import io
 import sys
 from pathlib import Path
 
-from study import results, tables
+from study import responses, results, tables
 from study.pictures import pictures
 from study.tables import Study, Table
 
@@ -23,8 +23,8 @@ _PICTURES = {
     "silent": "Share of drawings on which an engine is wrong and does not say so, in per cent. A "
     "dot: none of more than 300. Drawings whose answer does not fit doubles are left out.",
     "outcomes": "What became of all drawings.",
-    "tolerance": "Right answers by the ratio of an engine's tolerance to the least distance in the "
-    "drawing; bands are Wilson's intervals.",
+    "tolerance": "Right answers of engines whose tolerance can be chosen, by its ratio to the "
+    "least distance in the drawing; bands are Wilson's intervals.",
     "loud": "Failures that are told against those that are not; versions of one engine are joined.",
     "times": "Left: performance profile over drawings that any engine got right. Right: time per "
     "segment and vertex.",
@@ -39,7 +39,7 @@ def all_tables(study: Study) -> list[Table]:
         found += [
             tables.family_table(study, truth),
             tables.outcome_table(study, truth),
-            tables.response_table(study, truth),
+            responses.table(study, truth),
         ]
     found += [
         tables.kind_table(study),
@@ -63,13 +63,13 @@ def files(study: Study) -> dict[str, str]:
 
 
 def _summary(study: Study) -> str:
-    units = study.results.group_by(list(results.UNIT[4:])).aggregate([])
+    units = study.all.group_by(list(results.DRAWING)).aggregate([])
     algorithms = {engine[0] for engine in study.engines}
-    both = study.results.filter(study.results["both_engines"])
-    drawings = both.group_by(list(results.UNIT[4:])).aggregate([])
+    both = study.all.filter(study.all["both_engines"])
+    drawings = both.group_by(list(results.DRAWING)).aggregate([])
     return (
         f"{len(study.engines)} configurations of {len(algorithms)} independent engines on "
-        f"{len(units)} drawings: {len(study.results)} answers judged. Of {len(drawings)} drawings "
+        f"{len(units)} drawings: {len(study.all)} answers judged. Of {len(drawings)} drawings "
         "the exact side was computed by both exact engines, with the same result."
     )
 
@@ -97,7 +97,9 @@ def _engines_markdown(study: Study) -> str:
 
 def _tolerance(of: dict[str, object]) -> str:
     kind = of["tolerance_kind"]
-    return "none" if kind == "none" else f"{kind} {of['tolerance']:g}"
+    if kind == "none":
+        return "none"
+    return f"{kind} {of['tolerance']:g}" if "tolerance" in of else f"{kind}, of all sizes"
 
 
 _LONG = (

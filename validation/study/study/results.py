@@ -29,6 +29,7 @@ SCHEMA = pa.schema(
         ("scale", _TEXT),
         ("seed", pa.int64()),
         ("order", pa.int64()),
+        ("ratio", pa.float64()),  # of a sweep: tolerance to feature size; none: the engine's own
         ("truth", _TEXT),
         # What the engine is.
         ("title", _TEXT),
@@ -61,15 +62,17 @@ SCHEMA = pa.schema(
         ("message", _TEXT),
     ]
 )
-KEY = tuple(SCHEMA.names[:10])
+KEY = tuple(SCHEMA.names[:11])
 """What a row is told by; the last is the truth."""
 UNIT = KEY[:-1]
+DRAWING = UNIT[4:-1]
 
 Row = dict[str, Any]
 
 
 def load(path: Path) -> pa.Table:
-    """All rows of a file; none where there is no file."""
+    """All rows of a file; none where there is no file. Columns that older files do not have are
+    without values."""
     return pq.read_table(path, schema=SCHEMA) if path.exists() else SCHEMA.empty_table()
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from study import families
@@ -30,13 +30,39 @@ class Amount:
     ordered_seeds: int
     ulp_side: int
     """Of the maps of neighbours of an end point."""
+    swept_seeds: int
+    """Of drawings that are given with tolerances of all sizes."""
+    ratios: tuple[float, ...]
+    """Of these tolerances to the drawing's least feature."""
     first_seed: int = 0
 
 
-QUICK = Amount(1, 1, (12,), (), 4, 1, 7)
-FULL = Amount(400, 100, (12, 40), ((200, 20), (1000, 3), (10_000, 3), (100_000, 1)), 20, 50, 64)
+_RATIOS = (0.0, *(float(f"1e{k}") for k in range(-12, 2)))
+
+QUICK = Amount(1, 1, (12,), (), 4, 1, 7, 1, (1e-9, 1e-1, 10.0))
+FULL = Amount(
+    seeds=400,
+    scaled_seeds=100,
+    sizes=(12, 40),
+    large=((200, 20), (1000, 3), (10_000, 3), (100_000, 1)),
+    orders=20,
+    ordered_seeds=50,
+    ulp_side=64,
+    swept_seeds=40,
+    ratios=_RATIOS,
+)
 
 _ORDERED = ("T-junctions", "near-concurrent fans", "plan with doors, turned", "random")
+_SWEPT = (
+    *(("plans", f"plan{how}") for how in ("", ", turned", ", turned, 3 decimals")),
+    ("plans", "plan with doors, turned"),
+    ("junctions", "tees on a slant"),
+    ("campaign", "T-junctions"),
+    ("campaign", "T-junctions on slants"),
+    ("campaign", "near-concurrent fans"),
+    ("random", "random"),
+)
+_SWEPT_BLOCK = 2  # seeds, each with all tolerances
 
 
 @dataclass(frozen=True)
@@ -46,6 +72,8 @@ class Block:
     family: Family
     units: tuple[Unit, ...]
     truths: tuple[str, ...] = TRUTHS
+    ratios: tuple[float | None, ...] = (None,)
+    """Of tolerances to the drawing's least feature; None: each engine's own tolerance."""
 
 
 def blocks(amount: Amount, drawings: Path) -> Iterator[Block]:
@@ -58,6 +86,7 @@ def blocks(amount: Amount, drawings: Path) -> Iterator[Block]:
         yield from _seeds(family, amount.scaled_seeds, amount.first_seed, family.scales[1:])
     for family in made:
         yield from _seeds(family, amount.scaled_seeds, amount.first_seed, family.scales)
+    yield from sweeps(amount)
     for family in families.drawing_families(drawings):
         yield from _seeds(family, 1, amount.first_seed, family.scales)
     for family in (*small, *made):
@@ -69,6 +98,24 @@ def blocks(amount: Amount, drawings: Path) -> Iterator[Block]:
                 yield from _seeds(family, seeds, amount.first_seed, ("unit",), ("doubles",))
     for family in families.ulp_maps():
         yield from _map(family, amount.ulp_side)
+
+
+def sweeps(amount: Amount) -> Iterator[Block]:
+    """Drawings of some families, each with tolerances from none to ten of its features."""
+    all_families = [
+        *families.plan_families(),
+        *families.made_families(amount.sizes),
+        *families.campaign_families(),
+    ]
+    for family in all_families:
+        if (family.group, family.name) not in _SWEPT:
+            continue
+        one = replace(family, sizes=family.sizes[:1])
+        of_seeds = _seeds(one, amount.swept_seeds, amount.first_seed, family.scales[:1])
+        for block in of_seeds:
+            for start in range(0, len(block.units), _SWEPT_BLOCK):
+                units = block.units[start : start + _SWEPT_BLOCK]
+                yield replace(block, units=units, ratios=amount.ratios)
 
 
 def _seeds(

@@ -17,7 +17,7 @@ from study.words import LOUD, OUTCOMES, RIGHT, SILENT, TRUTHS
 _DRAWING = ("family", "size", "scale", "seed")
 ENGINE = ("algorithm", "engine", "version", "configuration")
 _NEAREST = -8  # decades of feature size to what vertices match within: below all doubles
-_FAR_BELOW, _FAR_ABOVE = -14, 3  # decades of tolerance to feature size, beyond which all is one
+_FAR_ABOVE = 3  # decades of feature size to that, beyond which all is one
 
 Engine = tuple[str, str, str, str]
 
@@ -35,22 +35,28 @@ class Table:
 class Study:
     """Results, and what is often asked of them."""
 
-    def __init__(self, results: pa.Table) -> None:
-        self.results = results
+    def __init__(self, all_results: pa.Table) -> None:
+        self.all = all_results
+        own = pc.is_null(all_results["ratio"])
+        self.results = results = all_results.filter(own)
+        """Of engines with their own tolerances."""
+        self.swept = all_results.filter(pc.invert(own))
+        """Of the same drawings with tolerances of all sizes."""
         plain = pc.and_(pc.equal(results["order"], 0), pc.not_equal(results["group"], "ulp maps"))
         self.plain = results.filter(plain)
         """As drawn, without maps of neighbours: what shares are of."""
         self.engines = self._engines()
 
     def _engines(self) -> dict[Engine, dict[str, Any]]:
-        told = ("title", "configuration_title", "tolerance_kind", "tolerance", "source")
-        rows = self.results.group_by([*ENGINE, *told]).aggregate([]).to_pylist()
-        keyed = {tuple(row[name] for name in ENGINE): row for row in rows}
+        told = ("title", "configuration_title", "tolerance_kind", "source")
+        swept = self.swept.group_by([*ENGINE, *told]).aggregate([]).to_pylist()
+        own = self.results.group_by([*ENGINE, *told, "tolerance"]).aggregate([]).to_pylist()
+        keyed = {tuple(row[name] for name in ENGINE): row for row in (*swept, *own)}
         return {key: keyed[key] for key in sorted(keyed)}
 
     @property
     def truths(self) -> list[str]:
-        present = set(pc.unique(self.plain["truth"]).to_pylist())
+        present = set(pc.unique(self.all["truth"]).to_pylist())
         return [name for name in TRUTHS if name in present]
 
     @property
@@ -198,39 +204,6 @@ def differences(study: Study, truth: str = "doubles") -> Table:
     full = sorted((*row, p) for row, p in zip(found, adjusted))
     columns = ("first", "second", "pairs", "only first right", "only second right", "p", "Holm p")
     return Table("differences", f"Configurations of one engine, truth: {truth}", columns, full)
-
-
-def responses(study: Study, truth: str) -> dict[Engine, dict[int, Share]]:
-    """Shares of right answers by decades of tolerance to feature size, of engines that have a
-    tolerance. Drawings that no answer in doubles fits are left out."""
-    rows = study.fair(truth)
-    rows = rows.filter(pc.and_(pc.greater(rows["tolerance"], 0), pc.is_valid(rows["feature_size"])))
-    numbers: dict[Engine, dict[int, list[int]]] = {}
-    names = (*ENGINE, "tolerance", "feature_size", "outcome")
-    for values in zip(*(rows[name].to_pylist() for name in names)):
-        tolerance, feature, outcome = values[4:]
-        if feature <= 0:
-            continue
-        decade = math.floor(math.log10(tolerance) - math.log10(feature))
-        decade = min(max(decade, _FAR_BELOW), _FAR_ABOVE)
-        into = numbers.setdefault(values[:4], {}).setdefault(decade, [0, 0])
-        into[0] += outcome in RIGHT
-        into[1] += 1
-    return {
-        e: {d: Share(*numbers[e][d]) for d in sorted(numbers[e])}
-        for e in study.engines
-        if e in numbers
-    }
-
-
-def response_table(study: Study, truth: str) -> Table:
-    rows = [
-        (study.of(e), f"1e{d}", s.k, s.n, str(s))
-        for e, decades in responses(study, truth).items()
-        for d, s in decades.items()
-    ]
-    columns = ("engine", "tolerance / feature size from", "right", "of", "share")
-    return Table(f"tolerance_{truth}", f"Tolerance response, truth: {truth}", columns, rows)
 
 
 def nearness(study: Study) -> Table:

@@ -7,7 +7,7 @@ import math
 import time
 from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +24,8 @@ from study.truths import Truths
 _SOME = 20  # drawings, after which it is known whether an engine is slow
 _SLOW = 0.2  # seconds a drawing
 _TIMEOUTS = 5  # in a row, after which an engine is asked nothing more of a block
+_NO_GRID = ("grid", 0.0)
+_FEWER_SWEPT = 10  # times fewer seeds of slow engines where each is given many tolerances
 
 
 @dataclass(frozen=True)
@@ -72,6 +74,7 @@ class Worker:
             for e in engines
         }
         self._gone: set[tuple[str, str, str]] = set()
+        self._swept = one_of_each_way([e.configuration for e in engines])
 
     def __enter__(self) -> Worker:
         return self
@@ -84,7 +87,8 @@ class Worker:
         result: list[Row] = []
         late: dict[tuple[str, str, str], int] = {}
         for unit in block.units:
-            missing = [e for e in self._engines if self._is_wanted(e, unit, late)]
+            asked = [(e.configuration, ratio) for e in self._engines for ratio in block.ratios]
+            missing = [a for a in asked if self._is_wanted(*a, unit, late)]
             if not missing or time.monotonic() > self._bounds.until:
                 continue
             case = case_of(block.family, unit)
@@ -92,13 +96,17 @@ class Worker:
                 continue
             truths = Truths(case)
             both = self._compared(truths, unit)
-            for engine in missing:
-                of = engine.configuration
+            drawing = _drawing(block.family, case, truths, both)
+            for configuration, ratio in missing:
+                of = _with_ratio(configuration, ratio, truths)
+                if of is None or not self._is_wanted(configuration, ratio, unit, late):
+                    continue
                 start = time.monotonic()
                 if start > self._bounds.until:
                     break
+                tolerance = None if ratio is None else of.tolerance
                 try:
-                    reply = self._adapters[of.key].ask(case.segments)
+                    reply = self._adapters[of.key].ask(case.segments, tolerance)
                 except NotHere:
                     self._gone.add(of.key)
                     continue
@@ -106,21 +114,30 @@ class Worker:
                 self._taken[of.key] += time.monotonic() - start
                 late[of.key] = late.get(of.key, 0) + 1 if reply.ending == "timeout" else 0
                 found = judgements(case, truths, of, reply, block.truths)
-                drawing = _drawing(block.family, case, truths, both)
-                result += [_row(drawing, of, truths, reply, name, j) for name, j in found.items()]
+                told = {**drawing, "ratio": ratio}
+                result += [_row(told, of, truths, reply, name, j) for name, j in found.items()]
         return result
 
-    def _is_wanted(self, engine: Engine, unit: Unit, late: dict[tuple[str, str, str], int]) -> bool:
-        key = engine.configuration.key
+    def _is_wanted(
+        self,
+        of: Configuration,
+        ratio: float | None,
+        unit: Unit,
+        late: dict[tuple[str, str, str], int],
+    ) -> bool:
+        key = of.key
         if key in self._gone or late.get(key, 0) >= _TIMEOUTS:
+            return False
+        if ratio is not None and (key not in self._swept or (of.tolerance_kind, ratio) == _NO_GRID):
             return False
         if self._taken[key] > self._bounds.seconds_each:
             return False
         count = self._asked[key]
         is_slow = count >= _SOME and self._taken[key] > _SLOW * count
-        if is_slow and unit.seed - self._bounds.first_seed >= self._bounds.slow_seeds:
+        seeds = self._bounds.slow_seeds // (1 if ratio is None else _FEWER_SWEPT)
+        if is_slow and unit.seed - self._bounds.first_seed >= seeds:
             return False
-        return (*key, *asdict(unit).values()) not in self._done
+        return (*key, *asdict(unit).values(), ratio) not in self._done
 
     def _compared(self, truths: Truths, unit: Unit) -> bool:
         """Whether the exact side was computed by both exact engines; one in so many is."""
@@ -128,6 +145,29 @@ class Worker:
             return False
         truths.ensure_both_engines()
         return True
+
+
+def one_of_each_way(configurations: Sequence[Configuration]) -> set[tuple[str, str, str]]:
+    """Of those whose tolerance can be chosen; of several that differ by it alone the first."""
+    found: dict[tuple[str, str, str], tuple[str, str, str]] = {}
+    for c in configurations:
+        if c.tolerance_kind != "none":
+            found.setdefault((c.engine, c.version, c.way or c.name), c.key)
+    return set(found.values())
+
+
+def _with_ratio(of: Configuration, ratio: float | None, truths: Truths) -> Configuration | None:
+    """With the tolerance that has this ratio to the drawing's feature size; None where that is not
+    known."""
+    if ratio is None:
+        return of
+    if truths.feature_size is None:
+        return None
+    return replace(
+        of,
+        tolerance=ratio * truths.feature_size,
+        configuration_title=of.way or of.configuration_title,
+    )
 
 
 def _drawing(family: Family, case: Case, truths: Truths, both: bool) -> Row:

@@ -6,15 +6,16 @@ from pathlib import Path
 from typing import Any
 
 import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
-from study import results
+from study import responses, results
 from study.dice import Dice
 from study.words import OUTCOMES, TRUTHS
 
 pytest.importorskip("matplotlib")
 
 from study.report import files
-from study.tables import Study, differences, nearness, orders
+from study.tables import Study, differences, family_table, nearness, orders
 
 
 def row(engine: str, family: str, seed: int, truth: str, outcome: str, **more: Any) -> results.Row:
@@ -63,9 +64,16 @@ def made() -> list[results.Row]:
         for seed in range(9)
         for truth in (TRUTHS if family != "ulp map of a tee" else ("doubles",))
     ]
-    return rows + [
-        row("a", "rings", 1, "doubles", "identical", order=k, answer=str(k)) for k in (1, 2)
+    swept = [
+        row("a", "plan", seed, "doubles", outcome, ratio=ratio)
+        for ratio, outcome in ((0.0, "moved"), (1e-12, "identical"), (1.0, "invalid"))
+        for seed in range(9)
     ]
+    return (
+        rows
+        + swept
+        + [row("a", "rings", 1, "doubles", "identical", order=k, answer=str(k)) for k in (1, 2)]
+    )
 
 
 def study_of(rows: list[results.Row]) -> Study:
@@ -79,9 +87,14 @@ def test_a_report_is_the_same_bytes_twice_and_in_any_order_of_rows() -> None:
     second = files(study_of(rows))
     assert first.keys() == second.keys()
     assert [name for name in first if first[name] != second[name]] == []
-    assert {"study.md", "index.html", "overview.csv", "silent_doubles.svg", "times.svg"} <= set(
-        first
-    )
+    assert {
+        "study.md",
+        "index.html",
+        "overview.csv",
+        "silent_doubles.svg",
+        "times.svg",
+        "tolerance_doubles.svg",
+    } <= set(first)
     assert "&lt;a&gt;" in first["index.html"] and "<a>" not in first["index.html"]
 
 
@@ -95,6 +108,31 @@ def test_results_are_gathered_once(tmp_path: Path) -> None:
     assert results.gather(path).equals(table)
     assert len(results.units_done(table)) == len({tuple(r[k] for k in results.UNIT) for r in rows})
     assert not list(path.parent.glob("*.pieces/*.parquet"))
+
+
+def test_results_of_before_there_were_sweeps_are_read(tmp_path: Path) -> None:
+    table = study_of([r for r in made() if r["ratio"] is None]).all
+    old = tmp_path / "old.parquet"
+    pq.write_table(table.drop_columns(["ratio"]), old)
+    assert results.load(old).equals(table)
+    results.write_piece(old, [row("a", "plan", 3, "doubles", "moved", ratio=0.5)])
+    together = results.gather(old)
+    assert len(together) == len(table) + 1
+    assert results.units_done(together) > results.units_done(table)
+
+
+def test_a_response_is_of_the_sweep_alone() -> None:
+    rows = made()
+    refused = row("b", "plan", 1, "doubles", "error", ratio=0.0, kind="BadTolerance")
+    unfit = row("a", "plan", 99, "doubles", "moved", ratio=1.0, fits_doubles=False)
+    found = responses.table(study_of([*rows, refused, unfit]), "doubles").rows
+    assert [(r[0], *r[3:8]) for r in found] == [
+        ("plan", "0", 9, 9, 0, 0),
+        ("plan", "1e-12", 9, 9, 0, 0),
+        ("plan", "1", 9, 0, 9, 0),
+    ]
+    # And other tables are of engines' own tolerances alone.
+    assert {r[1] for r in family_table(study_of(rows), "doubles").rows} == {"lattice", "rings"}
 
 
 def test_differences_are_of_pairs() -> None:

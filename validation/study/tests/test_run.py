@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from study import results
 from study.__main__ import engines_of, part_of, run
-from study.engines import Limits
+from study.engines import Configuration, Limits
 from study.families import Unit, made_families
 from study.schedule import Block
-from study.work import Bounds
+from study.work import Bounds, one_of_each_way
 
 pytest.importorskip("shapely")
 
@@ -24,6 +25,47 @@ def blocks() -> list[Block]:
         Block(f, tuple(Unit(f.name, 12, f.scales[0], seed) for seed in range(2)))
         for f in made_families((12,))
     ]
+
+
+def test_a_sweep_is_of_tolerances_by_feature_size(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", f"{Path(sys.executable).parent}:{os.environ['PATH']}")
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(p for p in sys.path if p))
+    engines = engines_of([ADAPTERS], [])
+    [family] = [f for f in made_families((12,)) if f.name == "random"]
+    ratios = (0.0, 1e-3, 10.0)
+    swept = Block(family, (Unit(family.name, 12, "unit", 5),), ("doubles",), ratios)
+    path = tmp_path / "results.parquet"
+    for _ in range(2):
+        run([swept], engines, path, 1, Bounds(Limits(), both_engines=1))
+    table = results.load(path)
+    found = {(r["configuration"], r["ratio"]): r for r in table.to_pylist()}
+    assert len(found) == len(table)
+    # What has no tolerance is not asked, nor a grid for one of nothing.
+    assert {name for name, _ in found} == {"grid-1e-6", "repaired-1e-8", "published"}
+    assert [ratio for name, ratio in found if name == "grid-1e-6"] == [1e-3, 10.0]
+    assert [ratio for name, ratio in found if name == "published"] == list(ratios)
+    for (_, ratio), row in found.items():
+        assert row["tolerance"] == ratio * row["feature_size"]
+    assert found["repaired-1e-8", 1e-3]["outcome"] in ("identical", "moved")
+    assert found["repaired-1e-8", 10.0]["outcome"] == "topology"
+    run([replace(swept, ratios=(None,))], engines, path, 1, Bounds(Limits(), both_engines=1))
+    own = [r for r in results.load(path).to_pylist() if r["ratio"] is None]
+    assert {r["configuration"] for r in own} > {"node", "grid-1e-6"}  # other units than these
+    assert len(results.load(path)) == len(table) + len(own)
+
+
+def test_of_ways_that_differ_by_tolerance_one_is_swept() -> None:
+    one = Configuration("e", "E", "1", "e", "a", "A 1e-3", "grid", 1e-3, "", way="A")
+    others = [
+        replace(one, name="b", tolerance=1e-6),
+        replace(one, name="c", tolerance_kind="none", tolerance=0.0, way=""),
+        replace(one, name="d", way="D"),
+        replace(one, engine="f"),
+    ]
+    swept = one_of_each_way([one, *others])
+    assert swept == {("e", "1", "a"), ("e", "1", "d"), ("f", "1", "a")}
 
 
 def test_a_study_is_resumed_where_it_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
             "Boolean Operations: General Fuse with the tolerances of its arguments, 1e-7",
             fused_within, "", "General Fuse, fuzzy value"},
            {"fuzzy-1e-6", "fuzzy 1e-6", "snap", 1e-6,
-            "Boolean Operations: fuzzy value, an additional tolerance", fused_within,
+            "Boolean Operations: fuzzy value, an additional tolerance", fused_within, "",
             "General Fuse, fuzzy value"},
        }},
       argc, argv);

@@ -12,9 +12,9 @@ Model = dict[str, Any]
 
 
 def serve(
-    listing: dict[str, Any], engines: dict[str, Callable[[list[list[float]]], Model]]
+    listing: dict[str, Any], engines: dict[str, Callable[[list[list[float]], float | None], Model]]
 ) -> None:
-    """Answers cases until there are none."""
+    """Answers cases until there are none. Engines get the tolerance of a case, if it has one."""
     if sys.argv[1:] == ["--list"]:
         print(json.dumps(listing))
         return
@@ -24,7 +24,7 @@ def serve(
         start = time.perf_counter()
         answer: dict[str, Any] = {"case": case["case"]}
         try:
-            model = engine(case["segments"])
+            model = engine(case["segments"], case.get("tolerance"))
             answer |= {"seconds": time.perf_counter() - start, "model": model}
         except Exception as error:
             answer["error"] = {"class": type(error).__name__, "message": str(error)}
