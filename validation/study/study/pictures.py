@@ -64,12 +64,12 @@ def pictures(study: Study) -> dict[str, str]:
     for name, make in makers.items():
         figure = make()
         if figure is not None:
-            found[name] = _svg(figure)
+            found[name] = svg(figure)
             pyplot.close(figure)
     return found
 
 
-def _svg(figure: Figure) -> str:
+def svg(figure: Figure) -> str:
     text = io.StringIO()
     figure.savefig(text, format="svg", bbox_inches="tight", metadata={"Date": None})
     # The version of matplotlib says nothing of the results.

@@ -28,10 +28,12 @@ export function versionOf(name) {
  * Runs an adapter: lists it, or answers the cases of standard input. `engine` has engine, title, version, algorithm,
  * licence and configurations; of each configuration `run` gets segments [ax, ay, bx, by], of which none is of length 0,
  * a clock whose `time(f)` is to be called with what the engine does, and the tolerance: the configuration's, or that of the
- * case. It returns, or promises, a model.
+ * case. It returns, or promises, a model. `repairs` are, with the argument --repairs, configurations instead of these.
  */
-export async function serve(engine) {
-  const wanted = process.argv[2];
+export async function serve({configurations, repairs = [], ...named}) {
+  const isRepair = process.argv[2] === '--repairs';
+  const wanted = process.argv[isRepair ? 3 : 2];
+  const engine = {...named, configurations: isRepair ? repairs : configurations};
   if (wanted === '--list') {
     console.log(JSON.stringify(engine, (key, value) => (key === 'run' ? undefined : value)));
     return;

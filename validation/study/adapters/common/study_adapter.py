@@ -79,7 +79,8 @@ class Configuration:
 
 @dataclass(frozen=True)
 class Engine:
-    """`algorithm` is what counts as one independent engine: wrappers of one share it."""
+    """`algorithm` is what counts as one independent engine: wrappers of one share it. `repairs`
+    are ways to repair a drawing, apart from those that take it as it is."""
 
     engine: str
     title: str
@@ -87,8 +88,9 @@ class Engine:
     algorithm: str
     licence: str
     configurations: Sequence[Configuration]
+    repairs: Sequence[Configuration] = ()
 
-    def listed(self) -> dict[str, Any]:
+    def listed(self, chosen: Sequence[Configuration]) -> dict[str, Any]:
         """What ``adapter --list`` prints."""
         configurations = [
             {
@@ -98,7 +100,7 @@ class Engine:
                 | ({"promise": c.promise} if c.promise else {}),
                 "source": c.source,
             }
-            for c in self.configurations
+            for c in chosen
         ]
         return {
             "engine": self.engine,
@@ -121,13 +123,15 @@ def serve(engine: Engine) -> None:
     arguments = argparse.ArgumentParser(description=f"{engine.title}, as an engine of the study")
     arguments.add_argument("configuration", nargs="?")
     arguments.add_argument("--list", action="store_true", help="print what there is, as JSON")
+    arguments.add_argument("--repairs", action="store_true", help="ways to repair instead")
     options = arguments.parse_args()
+    configurations = engine.repairs if options.repairs else engine.configurations
     if options.list:
-        print(json.dumps(engine.listed()))
+        print(json.dumps(engine.listed(configurations)))
         return
-    chosen = [c for c in engine.configurations if c.name == options.configuration]
+    chosen = [c for c in configurations if c.name == options.configuration]
     if not chosen:
-        arguments.error(f"one of {', '.join(c.name for c in engine.configurations)}")
+        arguments.error(f"one of {', '.join(c.name for c in configurations)}")
     answers = _own_output()
     for line in sys.stdin:
         print(json.dumps(_answer(chosen[0], json.loads(line))), file=answers, flush=True)

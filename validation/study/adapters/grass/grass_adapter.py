@@ -42,10 +42,11 @@ def module(*arguments: str, given: str | None = None) -> str:
 
 
 def cleaned_by(tools: str, *flags: str) -> Callable[[Floats, Clock, float | None], Model]:
-    """The tolerance is the threshold of the tool snap; others have none."""
+    """The tolerance is the threshold of the tools snap and rmdangle; others have none."""
 
     def run(segments: Floats, clock: Clock, tolerance: float | None) -> Model:
-        thresholds = ",".join(repr(tolerance) if t == "snap" else "0" for t in tools.split(","))
+        within = {"snap": repr(tolerance), "rmdangle": repr(tolerance)}
+        thresholds = ",".join(within.get(tool, "0") for tool in tools.split(","))
         how = [*flags, "type=line", f"tool={tools}", f"threshold={thresholds}"]
         clean = ["v.clean", "--q", "--o", *how]
         if not len(segments):
@@ -156,6 +157,17 @@ CONFIGURATIONS = [
     ),
 ]
 
+REPAIRS = [
+    Configuration(
+        "break-snap-break-rmdangle",
+        "v.clean break, snap, break, rmdupl, rmdangle",
+        ("snap", SNAP),
+        "v.clean manual: snap, and rmdangle, which removes dangles up to the threshold",
+        cleaned_by("break,snap,break,rmdupl,rmdangle"),
+        way="v.clean break, snap, break, rmdupl, rmdangle",
+    ),
+]
+
 
 def main() -> None:
     if shutil.which("grass") is None:
@@ -173,6 +185,7 @@ def main() -> None:
             "GRASS",
             "GPL-2.0-or-later",
             CONFIGURATIONS,
+            REPAIRS,
         )
     )
 

@@ -4,13 +4,13 @@ import mapshaper from 'mapshaper';
 import {withoutBridges} from './loops.mjs';
 import {BadTolerance, EngineError, Numbering, serve, versionOf} from './serve.mjs';
 
-function withOptions(options) {
+function withCommands(commands) {
   return async (segments, clock, tolerance) => {
     if (!segments.length) return {V: [], polygons: []};
     const lines = segments.map(([ax, ay, bx, by]) => ({type: 'LineString', coordinates: [[ax, ay], [bx, by]]}));
     const input = JSON.stringify({type: 'GeometryCollection', geometries: lines});
     const output = await clock.time(() =>
-      mapshaper.applyCommands(`-quiet -i in.json ${options(tolerance)} -polygons -o out.json format=geojson`, {'in.json': input}));
+      mapshaper.applyCommands(`-quiet -i in.json ${commands(tolerance)} -o out.json format=geojson`, {'in.json': input}));
     if (!output['out.json']) throw new EngineError('NoOutput', 'mapshaper wrote no file');
     return modelOf(JSON.parse(output['out.json']));
   };
@@ -18,7 +18,11 @@ function withOptions(options) {
 
 function snapWithin(tolerance) {
   if (!tolerance) throw new BadTolerance('0 is its automatic interval');
-  return `snap snap-interval=${tolerance}`;
+  return `snap snap-interval=${tolerance} -polygons`;
+}
+
+function repairWithin(tolerance) {
+  return `snap snap-interval=${tolerance} -polygons gap-tolerance=${tolerance} -clean gap-width=${tolerance}`;
 }
 
 function modelOf({geometries = [], features = []}) {
@@ -42,14 +46,23 @@ serve({
       title: '-polygons',
       tolerance: {kind: 'none', value: 0},
       source: 'help of -polygons: "convert polylines to polygons"; no gap tolerance',
-      run: withOptions(() => ''),
+      run: withCommands(() => '-polygons'),
     },
     {
       name: 'snap-1e-9-polygons',
       title: '-i snap-interval=1e-9, -polygons',
       tolerance: {kind: 'snap', value: 1e-9, way: '-i snap-interval, -polygons', promise: 'some'}, // vertices, no crossings
       source: 'help of -i: snap, snap-interval, whose "default is tiny"',
-      run: withOptions(snapWithin),
+      run: withCommands(snapWithin),
+    },
+  ],
+  repairs: [
+    {
+      name: 'clean',
+      title: 'snap, -polygons with a gap tolerance, -clean',
+      tolerance: {kind: 'snap', value: 1e-9, way: 'snap, -polygons with a gap tolerance, -clean'},
+      source: 'help of -polygons: "specify gap tolerance in source units"; of -clean: "fill gaps narrower than this width"',
+      run: withCommands(repairWithin),
     },
   ],
 });

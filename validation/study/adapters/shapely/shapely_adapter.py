@@ -46,6 +46,24 @@ def set_precision_then_node(lines: Geometries, grid: float | None) -> Any:
     return shapely.node(on_grid)
 
 
+def snapped(lines: Geometries, distance: float | None) -> Any:
+    assert distance is not None
+    noded = unary_union(lines, None)
+    return shapely.unary_union(shapely.snap(noded, noded, distance))
+
+
+def clean_coverage(segments: Floats, clock: Clock, distance: float | None) -> Model:
+    """Of the faces that polygonize finds in the lines as they are."""
+    lines = as_lines(segments)
+    with clock:
+        faces = shapely.get_parts(shapely.polygonize([unary_union(lines, None)]))
+        if len(faces):
+            faces = shapely.coverage_clean(faces, snapping_distance=distance, gap_width=distance)
+    parts = shapely.get_parts(faces)
+    parts = parts[~shapely.is_empty(parts)]
+    return model_of(shapely.boundary(parts), parts)
+
+
 CONFIGURATIONS = [
     Configuration(
         "node",
@@ -79,6 +97,25 @@ CONFIGURATIONS = [
         way="set_precision, node",
     ),
 ]
+REPAIRS = [
+    Configuration(
+        "snap",
+        "unary_union, snap to itself",
+        ("snap", GRID),
+        f"{_MANUAL}, snap: 'snaps an input geometry to reference geometry's vertices'",
+        noded_by(snapped),
+        way="unary_union, snap to itself",
+    ),
+    Configuration(
+        "coverage-clean",
+        "polygonize, coverage_clean",
+        ("snap", GRID),
+        f"{_MANUAL}, coverage_clean: 'small gaps are removed, and all shared edges are exactly "
+        "identical'",
+        clean_coverage,
+        way="polygonize, coverage_clean",
+    ),
+]
 
 if __name__ == "__main__":
     geos = shapely.geos_version_string
@@ -90,5 +127,6 @@ if __name__ == "__main__":
             f"GEOS {geos}",
             "BSD-3-Clause, GEOS LGPL-2.1",
             CONFIGURATIONS,
+            REPAIRS,
         )
     )

@@ -1,0 +1,1 @@
+"""What tools make of plans that were damaged in known ways."""
