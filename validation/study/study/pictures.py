@@ -123,12 +123,13 @@ def taxonomy(study: Study, truth: str) -> Figure | None:
     return figure
 
 
-_NO_TOLERANCE = -14  # where the ratio 0 is drawn
+_NO_TOLERANCE = -15  # where the ratio 0 is drawn
 
 
 def tolerance_response(study: Study, truth: str) -> Figure | None:
     """Shares of right and of silently wrong answers over tolerance / feature size, with Wilson
-    bands: a row of plots for each engine, grids first, a column for each group of families."""
+    bands of the former: a row of plots for each engine, grids first, a column for each group of
+    families."""
     found = responses.Responses(study, truth)
     engines, groups = found.engines, found.groups
     if not engines:
@@ -140,11 +141,8 @@ def tolerance_response(study: Study, truth: str) -> Figure | None:
     for row, engine in zip(grid, engines):
         for axes, group in zip(row, groups):
             response = found.of_group(group, engine)
-            for outcomes, colour in (
-                (SILENT, _COLOURS["topology"]),
-                (RIGHT, _COLOURS["identical"]),
-            ):
-                _band(axes, response, outcomes, colour)
+            _line(axes, response, SILENT, _COLOURS["topology"], has_band=False)
+            _line(axes, response, RIGHT, _COLOURS["identical"], has_band=True)
             axes.axvline(0, color="#888888", linewidth=0.7)
         title = found.titles[engine].replace(": ", ":\n", 1)
         row[0].set_ylabel(
@@ -153,29 +151,35 @@ def tolerance_response(study: Study, truth: str) -> Figure | None:
     for axes, group in zip(grid[0], groups):
         axes.set_title(group, fontsize=9)
     grid[0, 0].set_ylim(-0.05, 1.05)
-    ticks = [_NO_TOLERANCE, *range(-12, 2, 4)]
+    ticks = [_NO_TOLERANCE, -12, -8, -4, 0]
     grid[0, 0].set_xticks(ticks, ["0", *(f"1e{k}" if k else "1" for k in ticks[1:])])
-    figure.supxlabel("tolerance / least feature of the drawing", y=0, fontsize=9)
+    figure.supxlabel("tolerance / least feature that was meant", y=0, fontsize=9)
     figure.suptitle(f"Drawings right (blue) and silently wrong (orange); truth: {truth}", y=1.0)
     figure.tight_layout()
     return figure
 
 
-def _band(axes: Axes, response: responses.Response, outcomes: tuple[str, ...], colour: str) -> None:
+def _line(
+    axes: Axes,
+    response: responses.Response,
+    outcomes: tuple[str, ...],
+    colour: str,
+    has_band: bool,
+) -> None:
     """The ratio 0 stands apart, joined to no other."""
-    for is_none in (True, False):
-        shares = {
-            r: responses.share(c, outcomes) for r, c in response.items() if (not r) == is_none
-        }
-        if not shares:
-            continue
-        x = [float(np.log10(r)) if r else _NO_TOLERANCE for r in shares]
+    shares = {r: responses.share(c, outcomes) for r, c in response.items()}
+    if 0 in shares:
+        share = shares.pop(0)
+        if has_band:
+            axes.vlines(_NO_TOLERANCE, *share.interval, color=colour, alpha=0.4)
+        axes.plot(_NO_TOLERANCE, share.value, "o", markersize=2.5, color=colour)
+    if not shares:
+        return
+    x = [float(np.log10(r)) for r in shares]
+    if has_band:
         low, high = zip(*(s.interval for s in shares.values()))
-        values = [s.value for s in shares.values()]
-        axes.plot(x, values, marker="o", markersize=2, linewidth=1.2, color=colour)
-        if is_none:
-            axes.vlines(x, low, high, color=colour, alpha=0.4)
         axes.fill_between(x, low, high, color=colour, alpha=0.2, linewidth=0)
+    axes.plot(x, [s.value for s in shares.values()], linewidth=1.2, color=colour)
 
 
 def loud_against_silent(study: Study, truth: str) -> Figure | None:

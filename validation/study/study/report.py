@@ -23,8 +23,8 @@ _PICTURES = {
     "silent": "Share of drawings on which an engine is wrong and does not say so, in per cent. A "
     "dot: none of more than 300. Drawings whose answer does not fit doubles are left out.",
     "outcomes": "What became of all drawings.",
-    "tolerance": "Right answers of engines whose tolerance can be chosen, by its ratio to the "
-    "least distance in the drawing; bands are Wilson's intervals.",
+    "tolerance": "Right and silently wrong answers of engines whose tolerance can be chosen, by "
+    "its ratio to the least feature that was meant; bands are Wilson's intervals of right ones.",
     "loud": "Failures that are told against those that are not; versions of one engine are joined.",
     "times": "Left: performance profile over drawings that any engine got right. Right: time per "
     "segment and vertex.",

@@ -1,5 +1,5 @@
-"""Right answers by the ratio of a tolerance to the drawing's least feature, from the rows of the
-sweep of tolerances."""
+"""Right answers by the ratio of a tolerance to the least feature that was meant, from the rows of
+the sweep of tolerances."""
 
 from __future__ import annotations
 

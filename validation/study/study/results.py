@@ -29,7 +29,7 @@ SCHEMA = pa.schema(
         ("scale", _TEXT),
         ("seed", pa.int64()),
         ("order", pa.int64()),
-        ("ratio", pa.float64()),  # of a sweep: tolerance to feature size; none: the engine's own
+        ("ratio", pa.float64()),  # of a sweep: tolerance to least feature meant; none: own one
         ("truth", _TEXT),
         # What the engine is.
         ("title", _TEXT),

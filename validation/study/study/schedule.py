@@ -33,7 +33,7 @@ class Amount:
     swept_seeds: int
     """Of drawings that are given with tolerances of all sizes."""
     ratios: tuple[float, ...]
-    """Of these tolerances to the drawing's least feature."""
+    """Of these tolerances to the least feature that was meant."""
     first_seed: int = 0
 
 
@@ -73,7 +73,7 @@ class Block:
     units: tuple[Unit, ...]
     truths: tuple[str, ...] = TRUTHS
     ratios: tuple[float | None, ...] = (None,)
-    """Of tolerances to the drawing's least feature; None: each engine's own tolerance."""
+    """Of tolerances to the least feature that was meant; None: each engine's own tolerance."""
 
 
 def blocks(amount: Amount, drawings: Path) -> Iterator[Block]:
@@ -101,7 +101,7 @@ def blocks(amount: Amount, drawings: Path) -> Iterator[Block]:
 
 
 def sweeps(amount: Amount) -> Iterator[Block]:
-    """Drawings of some families, each with tolerances from none to ten of its features."""
+    """Drawings of some families, each with tolerances from none to ten times its features."""
     all_families = [
         *families.plan_families(),
         *families.made_families(amount.sizes),

@@ -103,16 +103,15 @@ class Truths:
         """Of the doubles' arrangement, the least distance of two vertices or of a vertex from an
         edge. None where it would take long: of large drawings, and where much is as near as
         doubles do not tell."""
-        near = self.nearness
-        if not near.is_known or not self.doubles.counts.edges:
-            return None
-        if near.least > _WELL_APART * near.rounding:
-            return near.least
-        if near.count_within(near.least) > _MANY:
-            return None
-        size = self.doubles.feature_size()
-        squares = (size.squared_vertex_vertex, size.squared_vertex_edge)
-        return min((_root(s) for s in squares if s > 0), default=None)
+        return _feature_size(self.doubles, self.nearness)
+
+    @cached_property
+    def meant_size(self) -> float | None:
+        """The same of what was meant, where that is known; else of the doubles."""
+        meant = self.intended
+        if meant is None or meant is self.doubles:
+            return self.feature_size
+        return _feature_size(meant, Nearness(meant))
 
     def fits_doubles(self, truth: Arrangement | Numbers) -> bool:
         """Whether a truth has the same cells when its vertices are rounded to doubles, so that an
@@ -147,6 +146,18 @@ class Truths:
         if promise == "some" or last.radius > distance / _READINGS:
             return None
         return Numbers(last.vertices, last.edges, last.faces)
+
+
+def _feature_size(of: Arrangement, near: Nearness) -> float | None:
+    if not near.is_known or not of.counts.edges:
+        return None
+    if near.least > _WELL_APART * near.rounding:
+        return near.least
+    if near.count_within(near.least) > _MANY:
+        return None
+    size = of.feature_size()
+    squares = (size.squared_vertex_vertex, size.squared_vertex_edge)
+    return min((_root(s) for s in squares if s > 0), default=None)
 
 
 def _root(square: Fraction) -> float:

@@ -99,7 +99,7 @@ class Worker:
             drawing = _drawing(block.family, case, truths, both)
             for configuration, ratio in missing:
                 of = _with_ratio(configuration, ratio, truths)
-                if of is None or not self._is_wanted(configuration, ratio, unit, late):
+                if of is None or of.key in self._gone or late.get(of.key, 0) >= _TIMEOUTS:
                     continue
                 start = time.monotonic()
                 if start > self._bounds.until:
@@ -157,15 +157,15 @@ def one_of_each_way(configurations: Sequence[Configuration]) -> set[tuple[str, s
 
 
 def _with_ratio(of: Configuration, ratio: float | None, truths: Truths) -> Configuration | None:
-    """With the tolerance that has this ratio to the drawing's feature size; None where that is not
-    known."""
+    """With the tolerance that has this ratio to the least feature that was meant; None where that
+    is not known."""
     if ratio is None:
         return of
-    if truths.feature_size is None:
+    if truths.meant_size is None:
         return None
     return replace(
         of,
-        tolerance=ratio * truths.feature_size,
+        tolerance=ratio * truths.meant_size,
         configuration_title=of.way or of.configuration_title,
     )
 

@@ -11,8 +11,9 @@ import pytest
 from study import results
 from study.__main__ import engines_of, part_of, run
 from study.engines import Configuration, Limits
-from study.families import Unit, made_families
+from study.families import Unit, case_of, made_families
 from study.schedule import Block
+from study.truths import Truths
 from study.work import Bounds, one_of_each_way
 
 pytest.importorskip("shapely")
@@ -54,6 +55,14 @@ def test_a_sweep_is_of_tolerances_by_feature_size(
     own = [r for r in results.load(path).to_pylist() if r["ratio"] is None]
     assert {r["configuration"] for r in own} > {"node", "grid-1e-6"}  # other units than these
     assert len(results.load(path)) == len(table) + len(own)
+
+
+def test_tolerances_are_by_what_was_meant() -> None:
+    """Ends that are meant to be on a line miss it by rounding alone."""
+    [family] = [f for f in made_families((12,)) if f.name == "tees on a slant"]
+    truths = Truths(case_of(family, Unit(family.name, 12, "unit", 1)))
+    assert truths.meant_size is not None and truths.meant_size > 0.01
+    assert truths.feature_size is not None and truths.feature_size < 1e-12
 
 
 def test_of_ways_that_differ_by_tolerance_one_is_swept() -> None:
