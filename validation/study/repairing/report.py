@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import io
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -76,17 +77,15 @@ def cell(rows: Sequence[dict[str, Any]]) -> Cell:
 
 class Results:
     def __init__(self, table: pa.Table) -> None:
-        self.rows: list[dict[str, Any]] = table.to_pylist()
-        present = {r["tool"] for r in self.rows}
+        self._rows: dict[tuple[str, str, str], list[dict[str, Any]]] = defaultdict(list)
+        for row in table.to_pylist():
+            self._rows[row["tool"], row["damage"], row["ratio"]].append(row)
+        present = {tool for tool, _, _ in self._rows}
         ours = [name for name in (OURS, LAR, NOTHING) if name in present]
         self.tools = [*ours[:1], *sorted(present - set(ours)), *ours[1:]]
 
-    def of(self, tool: str, damage: str | None, ratio: str) -> list[dict[str, Any]]:
-        return [
-            r
-            for r in self.rows
-            if r["tool"] == tool and r["ratio"] == ratio and damage in (None, r["damage"])
-        ]
+    def of(self, tool: str, damages: Sequence[str], ratio: str) -> Cell:
+        return cell([row for d in damages for row in self._rows.get((tool, d, ratio), ())])
 
 
 def files(table: pa.Table) -> dict[str, str]:
@@ -109,10 +108,9 @@ def _csv(results: Results) -> str:
     for tool in results.tools:
         for damage in DAMAGES:
             for ratio in RATIOS:
-                rows = results.of(tool, damage, ratio)
-                if not rows:
+                of = results.of(tool, [damage], ratio)
+                if not of.plans:
                     continue
-                of = cell(rows)
                 low, high = of.right.interval
                 counts = [of.outcomes.get(o, 0) for o in OUTCOMES[:-1]]
                 right = (of.plans, of.right.k, f"{low:.4f}", f"{high:.4f}")
@@ -132,10 +130,10 @@ def _markdown(results: Results) -> str:
     for ratio in RATIOS:
         rows = []
         for tool in results.tools:
-            all_of = cell(results.of(tool, None, ratio))
+            all_of = results.of(tool, DAMAGES, ratio)
             if not all_of.plans:
                 continue
-            by_damage = [cell(results.of(tool, d, ratio)).right for d in DAMAGES]
+            by_damage = [results.of(tool, [d], ratio).right for d in DAMAGES]
             shares = [f"{100 * s.value:.0f}" if s.n else "-" for s in by_damage]
             plans = [str(all_of.plans), str(all_of.right)]
             others = [str(n) for n in (all_of.harmed, all_of.unsaid, all_of.moved)]
@@ -159,7 +157,7 @@ def picture(results: Results) -> Figure:
     )  # fmt: skip
     for line, damage in zip(grid, DAMAGES):
         for axes, ratio in zip(line, RATIOS):
-            cells = [cell(results.of(tool, damage, ratio)) for tool in tools]
+            cells = [results.of(tool, [damage], ratio) for tool in tools]
             left = np.zeros(len(tools))
             for outcome, colour in reversed(list(zip(OUTCOMES, _COLOURS))):
                 widths = np.array([c.outcomes.get(outcome, 0) / max(1, c.plans) for c in cells])

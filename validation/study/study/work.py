@@ -25,6 +25,7 @@ _SOME = 20  # drawings, after which it is known whether an engine is slow
 _SLOW = 0.2  # seconds a drawing
 _TIMEOUTS = 5  # in a row, after which an engine is asked nothing more of a block
 _NO_GRID = ("grid", 0.0)
+_OFF_TIES = 65 / 64  # times a ratio: else decimals are half way between points of a decimal grid
 _FEWER_SWEPT = 10  # times fewer seeds of slow engines where each is given many tolerances
 
 
@@ -165,7 +166,7 @@ def _with_ratio(of: Configuration, ratio: float | None, truths: Truths) -> Confi
         return None
     return replace(
         of,
-        tolerance=ratio * truths.meant_size,
+        tolerance=ratio * _OFF_TIES * truths.meant_size,
         configuration_title=of.way or of.configuration_title,
     )
 
