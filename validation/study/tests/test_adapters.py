@@ -211,6 +211,35 @@ def test_ways_are_named_where_tolerances_can_be_chosen() -> None:
             assert (tolerance["kind"] == "none") == (not tolerance.get("way"))
 
 
+@pytest.mark.parametrize("program", sorted(FOLDER.glob("*/repairs")), ids=lambda p: p.parent.name)
+def test_a_repair_closes_gaps_within_its_tolerance(program: Path) -> None:
+    """Of a square whose last side ends 0.01 before the first; where faces alone are repaired, a gap
+    between two squares instead."""
+    run = subprocess.run([program, "--list"], capture_output=True, text=True, check=False)
+    if run.returncode == NOT_HERE:
+        pytest.skip(run.stderr.strip())
+    open_square = [*SQUARE[:3], [0.0, 4.0, 0.0, 0.01]]
+    left, right = (
+        [[x, 0.0, x + 4, 0.0], [x + 4, 0.0, x + 4, 4.0], [x + 4, 4.0, x, 4.0], [x, 4.0, x, 0.0]]
+        for x in (0.0, 4.01)
+    )
+    for configuration in json.loads(run.stdout)["configurations"]:
+        name = configuration["name"]
+        segments = left + right if name == "coverage-clean" else open_square
+        cases = [
+            json.dumps({"case": k, "segments": segments, "tolerance": tolerance})
+            for k, tolerance in enumerate((0.02, 0.005))
+        ]
+        said = subprocess.run(
+            [program, name], input="\n".join(cases), capture_output=True, text=True, check=True
+        )
+        repaired, left_alone = (json.loads(line)["model"] for line in said.stdout.splitlines())
+        if name == "coverage-clean":
+            assert [len(m["V"]) for m in (repaired, left_alone)] == [6, 8]
+        else:
+            assert [acceptance.bounded_faces(m) for m in (repaired, left_alone)] == [1, 0]
+
+
 def test_answers_come_in_the_order_of_cases(running: tuple[tuple[str, str], Adapter]) -> None:
     _, adapter = running
     for case in (9, 4, 7):

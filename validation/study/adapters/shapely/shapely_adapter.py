@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import shapely
 from geometries import Geometries, as_lines, model_of
 from study_adapter import Clock, Configuration, Engine, Floats, Model, serve
@@ -46,17 +47,22 @@ def set_precision_then_node(lines: Geometries, grid: float | None) -> Any:
     return shapely.node(on_grid)
 
 
+def noded_within_rounding(lines: Geometries) -> Any:
+    """What is to be repaired is more than that doubles do not lie on slanted lines."""
+    return union_on_grid(lines, GRID)
+
+
 def snapped(lines: Geometries, distance: float | None) -> Any:
     assert distance is not None
-    noded = unary_union(lines, None)
-    return shapely.unary_union(shapely.snap(noded, noded, distance))
+    noded = noded_within_rounding(lines)
+    return noded_within_rounding(np.asarray(shapely.snap(noded, noded, distance)))
 
 
 def clean_coverage(segments: Floats, clock: Clock, distance: float | None) -> Model:
     """Of the faces that polygonize finds in the lines as they are."""
     lines = as_lines(segments)
     with clock:
-        faces = shapely.get_parts(shapely.polygonize([unary_union(lines, None)]))
+        faces = shapely.get_parts(shapely.polygonize([noded_within_rounding(lines)]))
         if len(faces):
             faces = shapely.coverage_clean(faces, snapping_distance=distance, gap_width=distance)
     parts = shapely.get_parts(faces)
@@ -100,20 +106,20 @@ CONFIGURATIONS = [
 REPAIRS = [
     Configuration(
         "snap",
-        "unary_union, snap to itself",
+        "union_all, snap to itself",
         ("snap", GRID),
         f"{_MANUAL}, snap: 'snaps an input geometry to reference geometry's vertices'",
         noded_by(snapped),
-        way="unary_union, snap to itself",
+        way="union_all, snap to itself",
     ),
     Configuration(
         "coverage-clean",
-        "polygonize, coverage_clean",
+        "union_all, polygonize, coverage_clean",
         ("snap", GRID),
         f"{_MANUAL}, coverage_clean: 'small gaps are removed, and all shared edges are exactly "
         "identical'",
         clean_coverage,
-        way="polygonize, coverage_clean",
+        way="union_all, polygonize, coverage_clean",
     ),
 ]
 
