@@ -10,9 +10,9 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from repairing import report
-from repairing.plans import Plan, plans
+from repairing.plans import NOTHING, OURS, Plan, plans
 from repairing.rooms import OUTCOMES, Found, found, moved_far
-from repairing.tools import NOTHING, OURS, Tools
+from repairing.tools import Tools
 
 SCHEMA = pa.schema(
     [

@@ -26,6 +26,11 @@ DAMAGES = (
 RATIOS = ("0.0625", "0.25", "0.5", "1")
 """Of the size of a damage to the plan's least detail."""
 
+NOTHING = "nothing"
+OURS = "plumbline repair"
+LAR = "float LAR, which prunes"
+"""What there is for each plan without a program of another."""
+
 
 @dataclass(frozen=True)
 class Room:

@@ -17,9 +17,8 @@ from matplotlib.figure import Figure
 from study.pictures import svg
 from study.statistics import Share
 
-from repairing.plans import DAMAGES, RATIOS
+from repairing.plans import DAMAGES, LAR, NOTHING, OURS, RATIOS
 from repairing.rooms import OUTCOMES
-from repairing.tools import LAR, NOTHING, OURS
 
 _COLOURS = ("#737373", "#67000d", "#ef6548", "#fdbb84", "#c6dbef", "#3182bd")
 _COLUMNS = (

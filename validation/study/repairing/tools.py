@@ -12,7 +12,7 @@ from pathlib import Path
 from study.engines import Adapter, Configuration, Limits, NotHere, Reply, listing
 from study.outcomes import edges_of
 
-from repairing.plans import Plan, Rows
+from repairing.plans import LAR, NOTHING, OURS, Plan, Rows
 
 _ADAPTERS = Path(__file__).resolve().parents[1] / "adapters"
 _PROGRAMS = (
@@ -26,10 +26,6 @@ _PROGRAMS = (
 _KIND = "snap"
 _SOME = 10  # plans, after which it is known whether a tool is slow
 _SLOW = 0.3  # seconds a plan
-
-NOTHING = "nothing"
-OURS = "plumbline repair"
-LAR = "float LAR, which prunes"
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,8 @@ pytest.importorskip("matplotlib")
 import pyarrow as pa
 from repairing import report
 from repairing.__main__ import SCHEMA
-from repairing.plans import DAMAGES, RATIOS, Room, Rows
+from repairing.plans import DAMAGES, LAR, OURS, RATIOS, Room, Rows
 from repairing.rooms import OUTCOMES, found, moved_far
-from repairing.tools import LAR, OURS
 from study.dice import Dice
 
 OUTSIDE: Rows = [[0, 0, 6, 0], [6, 0, 6, 3], [6, 3, 0, 3], [0, 3, 0, 0]]
