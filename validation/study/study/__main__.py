@@ -17,7 +17,7 @@ from typing import Any
 from study import results
 from study.engines import Limits, NotHere, listing
 from study.results import Row
-from study.schedule import FULL, QUICK, Block, blocks, sweeps
+from study.schedule import FULL, QUICK, Block, at_most, blocks, sweeps
 from study.work import Bounds, Engine, Worker
 
 _HERE = Path(__file__).resolve().parents[1]
@@ -121,8 +121,8 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--engine", action="append", default=[], metavar="E")
     parser.add_argument("--part", type=_part, default=(1, 1), metavar="K/N")
     parser.add_argument("--seed", type=int, default=0, help="the first one")
-    parser.add_argument("--seeds", type=int, help="of each family, size and scale")
-    parser.add_argument("--slow-seeds", type=int, default=50)
+    parser.add_argument("--seeds", type=int, help="of each family, at most")
+    parser.add_argument("--slow-seeds", type=int, default=5)
     parser.add_argument("--ulp-side", type=int)
     parser.add_argument("--tolerances", action="store_true", help="the sweep of tolerances alone")
     parser.add_argument("--minutes", type=float, help="begins no block later")
@@ -141,8 +141,7 @@ def main() -> int:
     base = FULL if given.full else QUICK
     amount = replace(base, first_seed=given.seed)
     if given.seeds is not None:
-        seeds = given.seeds
-        amount = replace(amount, seeds=seeds, scaled_seeds=seeds, swept_seeds=seeds)
+        amount = at_most(amount, given.seeds)
     if given.ulp_side is not None:
         amount = replace(amount, ulp_side=given.ulp_side)
     engines = engines_of([_HERE / "adapters", *given.adapters], given.engine)

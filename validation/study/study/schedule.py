@@ -41,16 +41,28 @@ _RATIOS = (0.0, *(float(f"1e{k}") for k in range(-12, 2)))
 
 QUICK = Amount(1, 1, (12,), (), 4, 1, 7, 1, (1e-9, 1e-1, 10.0))
 FULL = Amount(
-    seeds=400,
-    scaled_seeds=100,
+    seeds=100,
+    scaled_seeds=25,
     sizes=(12, 40),
-    large=((200, 20), (1000, 3), (10_000, 3), (100_000, 1)),
+    large=((200, 10), (1000, 3), (10_000, 1), (100_000, 1)),
     orders=20,
-    ordered_seeds=50,
-    ulp_side=64,
-    swept_seeds=40,
+    ordered_seeds=10,
+    ulp_side=32,
+    swept_seeds=10,
     ratios=_RATIOS,
 )
+
+
+def at_most(amount: Amount, seeds: int) -> Amount:
+    """The same with so many seeds of everything, or fewer."""
+    return replace(
+        amount,
+        seeds=min(seeds, amount.seeds),
+        scaled_seeds=min(seeds, amount.scaled_seeds),
+        ordered_seeds=min(seeds, amount.ordered_seeds),
+        swept_seeds=min(seeds, amount.swept_seeds),
+    )
+
 
 _ORDERED = ("T-junctions", "near-concurrent fans", "plan with doors, turned", "random")
 _SWEPT = (
