@@ -38,6 +38,7 @@ room(edits error geometry complex arrange diagnose)
 room(repair error geometry arrange diagnose edits)
 room(engine error number complex arrange compare)
 room(check error geometry arrange compare ladder engine)
+room(minimise error arrange round check)
 room(file error detail)
 room(engines/lar/stages error geometry complex chains)
 room(engines/inters/stages error number geometry engines/lar/stages)
@@ -51,7 +52,7 @@ room(output error number geometry structure complex rooms polygons chains round 
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error geometry read chains arrange round edits check output engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs)
-room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings diagnose edits repair engine check
+room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings diagnose edits repair engine check minimise
      engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs output engines/lar/show engines/inters/show
      pipeline)
 room(cli error geometry detail read arrange round repair engine engines/files engines/programs output engines/lar/show pipeline plumbline)

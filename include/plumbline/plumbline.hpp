@@ -22,6 +22,7 @@
 #include "plumbline/geometry.hpp"
 #include "plumbline/geometry/extent.hpp"
 #include "plumbline/ladder.hpp"
+#include "plumbline/minimise.hpp"
 #include "plumbline/number.hpp"
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
