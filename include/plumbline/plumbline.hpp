@@ -25,6 +25,7 @@
 #include "plumbline/minimise.hpp"
 #include "plumbline/number.hpp"
 #include "plumbline/output.hpp"
+#include "plumbline/output/minimised.hpp"
 #include "plumbline/pipeline.hpp"
 #include "plumbline/polygons.hpp"
 #include "plumbline/read.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "output/svg/labels.hpp"
+#include "output/svg/marks.hpp"
 #include "output/svg/panel.hpp"
 #include "output/svg/sheet.hpp"
 #include "output/text/verdict.hpp"
@@ -35,33 +36,6 @@ Layout layout(const FloatComplex& exact_rounded, const FloatComplex& float_compl
   };
   return {content, panel_at(sheet::kMargin), panel_at(2 * sheet::kMargin + sheet::kPanelWidth),
           kCheckHeader + height + kLegend};
-}
-
-/// The cells of one side that the findings speak of. A face that is only reshaped is not filled:
-/// the edges that reshape it are marked.
-svg::Marks marks_of(const Comparison& comparison, const Incidences& complex,
-                    std::vector<std::size_t> Finding::*cells) {
-  svg::Marks marks;
-  for (const Finding& finding : comparison.findings) {
-    for (const std::size_t cell : finding.*cells) {
-      if (finding.kind == CellKind::Vertex) marks.vertices.emplace_back(cell);
-      if (finding.kind == CellKind::Edge) marks.edges.emplace_back(cell);
-      if (finding.kind == CellKind::Face && finding.disagreement != Disagreement::Reshaped) {
-        marks.faces.emplace_back(cell);
-      }
-      if (finding.kind == CellKind::Hole) {
-        for (const HalfedgeId h : complex.cycles[cell]) marks.edges.push_back(edge_of(h));
-      }
-    }
-  }
-  const auto make_unique = [](auto& ids) {
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  };
-  make_unique(marks.vertices);
-  make_unique(marks.edges);
-  make_unique(marks.faces);
-  return marks;
 }
 
 std::string drawn_panel(const svg::Box& box, const Layout& where, const FloatComplex& complex,
@@ -138,9 +112,9 @@ std::string to_svg(const Check& check) {
   const Comparison& c = check.comparison;
   return sheet::open(sheet::kWidth, where.height) + header(check, where) +
          drawn_panel(where.left, where, exact_rounded,
-                     marks_of(c, check.exact_complex, &Finding::exact_cells), check) +
+                     svg::marks_of(c, check.exact_complex, &Finding::exact_cells), check) +
          drawn_panel(where.right, where, check.answer.complex,
-                     marks_of(c, check.answer.complex, &Finding::float_cells), check) +
+                     svg::marks_of(c, check.answer.complex, &Finding::float_cells), check) +
          legend(where, check) + "</svg>\n";
 }
 
