@@ -131,7 +131,7 @@ completes() {
   bash -c 'source ./complete.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _plumbline; echo "${COMPREPLY[@]}"' - "$@"
 }
 expect "commands are completed" 0 '^check$' completes plumbline ch
-expect "all of them" 0 '^arrange check info rooms repair lar eval random engines help --help --version$' completes plumbline ''
+expect "all of them" 0 '^arrange check minimise info rooms repair lar eval random engines help --help --version$' completes plumbline ''
 expect "of help, too" 0 '^check$' completes plumbline help ch
 expect "options" 0 '^--picture$' completes plumbline check plan.svg --pic
 expect "values" 0 '^geojson$' completes plumbline arrange plan.svg --format geo

@@ -55,7 +55,7 @@ room(pipeline error geometry read chains arrange round edits check output engine
 room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings diagnose edits repair engine check minimise
      engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs output engines/lar/show engines/inters/show
      pipeline)
-room(cli error geometry detail read arrange round repair engine engines/files engines/programs output engines/lar/show pipeline plumbline)
+room(cli error geometry detail read arrange round repair engine minimise engines/files engines/programs output engines/lar/show pipeline plumbline)
 room(checker)
 
 # The room of a header in include/plumbline/, if it is not that of its name.

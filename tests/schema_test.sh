@@ -62,6 +62,8 @@ expect "of one that is undone" 0 '^$' summary_fits repair repaired.svg --undo re
 expect "of the same with more to tell" 0 '^$' summary_fits info "$data/dwelling.svg" --diagnose --ladder
 expect "of LAR's module as published" 0 '^$' summary_fits lar "$data/dwelling.svg" --variant published
 expect "of an engine without a radius" 0 '^$' summary_fits check "$data/rooms.geojson" --against "$data/rooms.wkt"
+expect "of a minimised drawing" 0 '^$' summary_fits minimise "$data/office-plan.svg" --set radius=2
+expect "of one with which the engine is right" 0 '^$' summary_fits minimise "$data/dwelling.svg"
 expect "of nothing" 0 '^$' summary_fits info empty.lines --lenient
 expect "of files that are written" 0 '^$' summary_fits arrange "$data/dwelling.svg" -o plan.json
 expect "of a structure" 0 '^$' summary_fits eval "$data/dwelling.svg"

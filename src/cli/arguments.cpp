@@ -24,6 +24,7 @@ constexpr const char* kDescription =
     "  plumbline repair plan.dxf -o fixed.dxf --log fixes.json\n"
     "  plumbline check plan.svg --picture check.svg\n"
     "  plumbline check plan.svg --engine geos\n"
+    "  plumbline minimise plan.svg --engine lar -o case.lines --report issue.md\n"
     "  plumbline lar plan.svg --show components -o components.svg\n"
     "  plumbline eval table.json -o table.svg\n"
     "  plumbline random 5000 -o random.lines\n\n"
@@ -105,6 +106,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   app.formatter(help_format(columns));
   ArrangeArguments arrange;
   CheckArguments check;
+  MinimiseArguments minimise;
   InfoArguments info;
   RoomsArguments rooms;
   RepairArguments repair;
@@ -114,6 +116,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   EnginesArguments engines;
   const std::pair arrange_command(add_command(app, arrange), &arrange);
   const std::pair check_command(add_command(app, check), &check);
+  const std::pair minimise_command(add_command(app, minimise), &minimise);
   const std::pair info_command(add_command(app, info), &info);
   const std::pair rooms_command(add_command(app, rooms), &rooms);
   const std::pair repair_command(add_command(app, repair), &repair);
@@ -138,8 +141,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   }
   if (pages.completion->parsed()) return Notice{completion(app, pages.shell), false};
   if (pages.manual->parsed()) return Notice{manual(app, pages.command), false};
-  return called(arrange_command, check_command, info_command, rooms_command, repair_command,
-                lar_command, eval_command, random_command, engines_command);
+  return called(arrange_command, check_command, minimise_command, info_command, rooms_command,
+                repair_command, lar_command, eval_command, random_command, engines_command);
 }
 
 }  // namespace plumbline::cli

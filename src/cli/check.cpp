@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/complex_file.hpp"
+#include "cli/engine_settings.hpp"
 #include "cli/formats.hpp"
 #include "cli/load.hpp"
 #include "cli/losses.hpp"
@@ -17,40 +18,18 @@
 namespace plumbline::cli {
 namespace {
 
-struct Asked {
-  Parameters parameters;
-  std::string radius_from = "drawing";
-};
-
-/// What --set says, and the short forms of it. Presets of the radius are for this input; without
-/// one they are just known.
-Asked asked_of(const CheckArguments& arguments, const Engine& engine, const SegmentSet& input) {
-  Asked asked;
-  Parameters& parameters = asked.parameters;
-  const auto set = [&](const std::string& name, const std::string& text) {
-    if (name == "radius") asked.radius_from = is_preset(text) ? text : "number";
-    if (name != "radius" || !is_preset(text)) {
-      parameters[name] = parameter_value(engine, name, text);
-      return;
-    }
-    parameter_value(engine, name, "0");  // refused where the engine has no radius
-    if (const auto radius = preset_radius(text, input)) parameters[name] = *radius;
-  };
-  for (const std::string& setting : arguments.settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) {
-      throw Error(ErrorCode::BadInput, "--set needs NAME=VALUE", {}, setting);
-    }
-    set(setting.substr(0, equals), setting.substr(equals + 1));
-  }
-  if (arguments.radius) set("radius", *arguments.radius);
-  if (arguments.decimals) set("decimals", *arguments.decimals);
-  if (arguments.result) set("result", *arguments.result);
-  return asked;
+/// What --set says, and the short forms of it.
+EngineSettings asked_of(const CheckArguments& arguments, const Engine& engine,
+                        const SegmentSet& input) {
+  std::vector<std::string> settings = arguments.settings;
+  if (arguments.radius) settings.push_back("radius=" + *arguments.radius);
+  if (arguments.decimals) settings.push_back("decimals=" + *arguments.decimals);
+  if (arguments.result) settings.push_back("result=" + *arguments.result);
+  return engine_settings(settings, engine, input);
 }
 
 Answer answer_for(const CheckArguments& arguments, const Engine& engine, const Drawing& drawing) {
-  const Asked asked = asked_of(arguments, engine, drawing.input);
+  const EngineSettings asked = asked_of(arguments, engine, drawing.input);
   const bool is_program = engine.name != arguments.engine;  // given by its path
   Answer answer = answer_of(arguments.with_svg2lines ? inters_with_svg2lines(drawing)
                             : is_program             ? engine

@@ -11,6 +11,7 @@
 #include "plumbline/arrange.hpp"
 #include "plumbline/engine.hpp"
 #include "plumbline/engines/lar_show.hpp"
+#include "plumbline/minimise.hpp"
 #include "plumbline/output.hpp"
 #include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
@@ -93,6 +94,15 @@ struct CheckArguments : DrawingArguments {
   std::optional<std::string> findings;
   std::optional<bool> advice;  ///< by default for small drawings, and for a plot
   std::optional<std::string> plot;
+};
+
+struct MinimiseArguments : DrawingArguments {
+  std::string engine = "lar";
+  std::vector<std::string> settings;  ///< NAME=VALUE, its parameters
+  std::optional<double> tolerance;
+  std::optional<double> seconds;  ///< then it ends with what there is
+  std::size_t max_runs = MinimiseOptions().max_runs;
+  std::optional<std::string> output, picture, report;
 };
 
 struct InfoArguments : DrawingArguments {
@@ -179,6 +189,7 @@ class Report;
 ExitCode run(const ArrangeArguments& arguments, Report& report);
 ExitCode run(const CheckArguments& arguments, Report& report, const KnownEngines& known);
 ExitCode run(const EnginesArguments& arguments, Report& report, const KnownEngines& known);
+ExitCode run(const MinimiseArguments& arguments, Report& report, const KnownEngines& known);
 ExitCode run(const InfoArguments& arguments, Report& report);
 ExitCode run(const RoomsArguments& arguments, Report& report);
 ExitCode run(const RepairArguments& arguments, Report& report);

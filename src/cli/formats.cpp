@@ -39,6 +39,7 @@ const std::vector<Format>& formats() {
       {"lines", {".lines"}, kComplexes},
       {"html", {".html", ".htm"}},
       {"certificate", {".certificate"}},
+      {"markdown", {".md"}},
   };
   return table;
 }

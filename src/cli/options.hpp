@@ -13,6 +13,7 @@ namespace plumbline::cli {
 /// long as `app`.
 CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments);
 CLI::App* add_command(CLI::App& app, CheckArguments& arguments);
+CLI::App* add_command(CLI::App& app, MinimiseArguments& arguments);
 CLI::App* add_command(CLI::App& app, InfoArguments& arguments);
 CLI::App* add_command(CLI::App& app, RoomsArguments& arguments);
 CLI::App* add_command(CLI::App& app, RepairArguments& arguments);

@@ -50,6 +50,12 @@ Progress::~Progress() {
   fmt::print(stderr, "{:9.3f} s  {}\n", time.count(), what_);
 }
 
+void Progress::tell(std::string_view what) {
+  std::string line = line_text(what);
+  const std::lock_guard lock(mutex_);
+  what_ = std::move(line);
+}
+
 void Progress::show() {
   constexpr std::chrono::seconds kPatience(2), kStep(1);
   std::unique_lock lock(mutex_);

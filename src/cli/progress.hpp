@@ -24,6 +24,8 @@ class Progress {
 
   /// Which part of the work is done, from 0 to 1: shown as a bar. What comes after 1 is the rest.
   void tell(double part) { part_ = part; }
+  /// What is being done now.
+  void tell(std::string_view what);
 
  private:
   void show();

@@ -42,6 +42,10 @@ ExitCode run_command(const CheckArguments& arguments, Report& report, const Know
 ExitCode run_command(const EnginesArguments& arguments, Report& report, const KnownEngines& known) {
   return run(arguments, report, known);
 }
+ExitCode run_command(const MinimiseArguments& arguments, Report& report,
+                     const KnownEngines& known) {
+  return run(arguments, report, known);
+}
 
 /// With --json an error is a member of the summary, too.
 template <class Arguments>

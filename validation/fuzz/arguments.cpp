@@ -60,6 +60,12 @@ void check_command(const cli::CheckArguments& arguments) {
   check_input(arguments);
   check_number(arguments.tolerance.value_or(0));
 }
+void check_command(const cli::MinimiseArguments& arguments) {
+  check_input(arguments);
+  check_number(arguments.tolerance.value_or(0));
+  check_number(arguments.seconds.value_or(1));
+  if (arguments.seconds && *arguments.seconds <= 0) fail("a time that is not positive");
+}
 void check_command(const cli::InfoArguments& arguments) {
   check_input(arguments);
   if (arguments.within && sgn(*arguments.within) < 0) fail("a negative distance");
