@@ -23,6 +23,7 @@ from plumbline.line_inputs import lines
 from plumbline.lines import Lines
 from plumbline.lists import Lists
 from plumbline.maps import Map, r, s, t
+from plumbline.minimise import Minimised, minimise
 from plumbline.models import LarModel
 from plumbline.noding import node, polygonize, polygonize_full
 from plumbline.points import Points
@@ -63,6 +64,7 @@ __all__ = [
     "Lists",
     "LossWarning",
     "Map",
+    "Minimised",
     "Opening",
     "Points",
     "Repair",
@@ -91,6 +93,7 @@ __all__ = [
     "ladder",
     "lar",
     "lines",
+    "minimise",
     "node",
     "polygonize",
     "polygonize_full",

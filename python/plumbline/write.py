@@ -34,6 +34,7 @@ _ENDINGS = {
     "lar": (".lar.json",),
     "lines": (".lines",),
     "html": (".html", ".htm"),
+    "md": (".md",),
     "certificate": (".certificate",),
     "gpkg": (".gpkg",),
     "fgb": (".fgb",),

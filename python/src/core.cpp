@@ -103,6 +103,7 @@ NB_MODULE(_core, m) {
   bind_engine(m);
   bind_programs(m);
   bind_check(m);
+  bind_minimise(m);
   bind_certificate(m);
   bind_ladder(m);
   bind_diagnose(m);

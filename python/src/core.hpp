@@ -42,6 +42,7 @@ void bind_compare(nb::module_& m);
 void bind_engine(nb::module_& m);
 void bind_programs(nb::module_& m);
 void bind_check(nb::module_& m);
+void bind_minimise(nb::module_& m);
 void bind_certificate(nb::module_& m);  ///< with the checker
 void bind_ladder(nb::module_& m);
 void bind_diagnose(nb::module_& m);
