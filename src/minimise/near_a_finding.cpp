@@ -10,6 +10,7 @@ namespace plumbline::minimise_steps {
 namespace {
 
 constexpr std::size_t kMostFindings = 4;  ///< whose surroundings are tried
+constexpr std::size_t kMostOthers = 16;   ///< of other kinds
 constexpr std::size_t kLeastNear = 4;     ///< segments; then twice as many, and so on
 
 double distance(const PointD& p, const Line& line) {
@@ -40,24 +41,38 @@ std::vector<std::size_t> by_distance(const Lines& lines, const PointD& place) {
   return order;
 }
 
+/// Findings that have a place, of the sought kind; where that has none, some of all others.
+std::vector<const Finding*> findings_to_try(const Check& check, const Outcome& sought) {
+  std::vector<const Finding*> of_kind, others;
+  for (const Finding& finding : check.comparison.findings) {
+    if (finding.kind == CellKind::Complex) continue;
+    Check alone;
+    alone.comparison.findings = {finding};
+    (is_same(outcome(alone), sought) ? of_kind : others).push_back(&finding);
+  }
+  if (!of_kind.empty()) {
+    of_kind.resize(std::min(of_kind.size(), kMostFindings));
+    return of_kind;
+  }
+  std::vector<const Finding*> some;
+  const std::size_t step = others.size() / kMostOthers + 1;
+  for (std::size_t i = 0; i < others.size(); i += step) some.push_back(others[i]);
+  return some;
+}
+
 }  // namespace
 
 Lines near_a_finding(const Lines& lines, Trials& trials) {
   if (lines.size() <= kLeastNear || trials.have_ended()) return lines;
   const Check check = trials.checked(lines, false);
   std::vector<std::vector<std::size_t>> surroundings;
-  for (const Finding& finding : check.comparison.findings) {
-    const bool is_placed = finding.kind != CellKind::Complex;
-    if (!is_placed || surroundings.size() == kMostFindings) continue;
-    Check alone;
-    alone.comparison.findings = {finding};
-    if (!is_same(outcome(alone), trials.sought())) continue;
-    const std::vector<std::size_t> named(finding.segments.begin(), finding.segments.end());
+  for (const Finding* finding : findings_to_try(check, trials.sought())) {
+    const std::vector<std::size_t> named(finding->segments.begin(), finding->segments.end());
     if (!named.empty() && named.size() < lines.size()) {
       const Lines few = chosen(lines, named);
       if (trials.show(few)) return few;
     }
-    surroundings.push_back(by_distance(lines, nearest(finding.where)));
+    surroundings.push_back(by_distance(lines, nearest(finding->where)));
   }
   for (std::size_t count = kLeastNear; count < lines.size(); count *= 2) {
     for (const auto& order : surroundings) {
