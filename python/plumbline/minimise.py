@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from typing import Any, NoReturn, Union
 
@@ -12,6 +13,7 @@ from plumbline._arguments import arrangement_of, ensure_none, threads_of
 from plumbline._cached import cached
 from plumbline._notebook import framed
 from plumbline._numbers import Number, Numbers
+from plumbline._programs import folders, name_of
 from plumbline._progress import Progress, told
 from plumbline._results import answer_of_result
 from plumbline._whole import count
@@ -151,7 +153,7 @@ class Minimised:
 
 def minimise(
     drawing: Arrangement | LinesLike,
-    engine: Union[str, Engine] = "lar",
+    engine: Union[str, os.PathLike[str], Engine] = "lar",
     *,
     tolerance: Number | None = None,
     max_runs: int = 20_000,
@@ -170,9 +172,9 @@ def minimise(
     Parameters
     ----------
     drawing : Arrangement, or line work as `lines` takes it
-    engine : str or Engine
-        The name of an engine, as in `cross_check`, or a function, as in `check`. What a function
-        raises is an outcome like another.
+    engine : str, path or Engine
+        The name of an engine, or a program, as in `cross_check`, or a function, as in `check`.
+        What a function raises is an outcome like another.
     tolerance : number, optional
         Vertices match within this distance. By default as in `check`, for each smaller drawing.
     max_runs : int
@@ -214,7 +216,7 @@ def minimise(
     most = count(max_runs, "max_runs")
     of = _drawn(arrangement_of(drawing, numbers=numbers, threads=threads)).lines
     with told(progress, "minimising") as callback:
-        if not isinstance(engine, str):
+        if not isinstance(engine, (str, os.PathLike)):
             if parameters:
                 raise Error(f"a function has no parameters here: {', '.join(parameters)}")
             name = getattr(engine, "__name__", None) or type(engine).__name__
@@ -226,7 +228,14 @@ def minimise(
                 raise Error("a result in a file cannot be made again of fewer segments")
             settings = [(name, _setting(name, value)) for name, value in parameters.items()]
             core = _core.minimised(
-                of._core, engine, settings, within, most, threads_wanted, callback
+                of._core,
+                name_of(engine),
+                settings,
+                folders(),
+                within,
+                most,
+                threads_wanted,
+                callback,
             )
     return Minimised(core)
 

@@ -6,6 +6,7 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/variant.h>
 
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -72,9 +73,11 @@ Minimised run(Progress& told, const SegmentSet& drawing, const Engine& engine,
 
 Minimised minimised_by_name(const SegmentSet& drawing, const std::string& name,
                             const std::vector<std::pair<std::string, std::string>>& settings,
+                            const std::vector<std::string>& folders,
                             std::optional<double> tolerance, std::size_t max_runs,
                             std::size_t threads, nb::object progress) {
-  const Engine engine = engine_named(name, engines());
+  const std::vector<std::filesystem::path> paths(folders.begin(), folders.end());
+  const Engine engine = engine_named(name, engines(), paths);
   Request request;
   for (const auto& [parameter, text] : settings) {
     const auto preset = std::find(kRadiusPresets.begin(), kRadiusPresets.end(), text);
@@ -142,7 +145,7 @@ void bind_minimise(nb::module_& m) {
           },
           nb::arg("lines_file"), nb::arg("picture_file"));
   m.def("minimised", &minimised_by_name, nb::arg("drawing"), nb::arg("engine"), nb::arg("settings"),
-        nb::arg("tolerance").none(), nb::arg("max_runs"), nb::arg("threads"),
+        nb::arg("folders"), nb::arg("tolerance").none(), nb::arg("max_runs"), nb::arg("threads"),
         nb::arg("progress").none());
   m.def("minimised_by_function", &minimised_by_function, nb::arg("drawing"), nb::arg("name"),
         nb::arg("function"), nb::arg("tolerance").none(), nb::arg("max_runs"), nb::arg("threads"),
