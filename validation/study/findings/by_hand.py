@@ -150,9 +150,10 @@ def main(files: list[str]) -> int:
     for name in files:
         found = verdict(json.loads(Path(name).read_text(encoding="utf-8")))
         said = ", ".join("-" if n is None else str(n) for n in found.said)
-        print(f"{name}: vertices, edges, faces: exact {', '.join(map(str, found.right))}; said {said}"
-              f"; {'wrong' if found.is_wrong else 'no difference in numbers'}"
-              f"{'' if found.fits else '; no doubles hold the right answer'}")  # fmt: skip
+        right = ", ".join(map(str, found.right))
+        word = "wrong" if found.is_wrong else "no difference in numbers"
+        fits = "" if found.fits else "; no doubles hold the right answer"
+        print(f"{name}: vertices, edges, faces: exact {right}; said {said}; {word}{fits}")
     return 0
 
 
