@@ -11,7 +11,7 @@ from plumbline._programs import ListedEngine, engines
 from plumbline.arrangement import Arrangement, arrange, same, signature, validate
 from plumbline.certificate import Verdict, certificate, verify
 from plumbline.check import Answer, Cause, Check, Engine, Finding, FindingGroup, RightRadii, check
-from plumbline.compare import Comparison, compare
+from plumbline.compare import Comparison, compare, compare_result
 from plumbline.cross_check import cross_check, engine_names, engine_parameters
 from plumbline.diagnosis import Defect, Diagnosis, InvalidRing, Opening, diagnose, validity
 from plumbline.drawing import Drawing, read
@@ -83,6 +83,7 @@ __all__ = [
     "certificate",
     "check",
     "compare",
+    "compare_result",
     "compare_rules",
     "cross_check",
     "diagnose",

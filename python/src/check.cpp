@@ -167,6 +167,17 @@ void bind_check(nb::module_& m) {
       nb::arg("input"), nb::arg("complex"), nb::arg("answer"), nb::arg("structure").none(),
       nb::arg("unit_square"), nb::arg("tolerance").none(), nb::arg("right_radii").none(),
       nb::arg("ladder"), nb::arg("threads"), nb::arg("progress").none());
+  m.def(
+      "compare_answer",
+      [](const ExactComplex& complex, const Answer& answer, double tolerance) {
+        if (answer.exact_complex) {
+          return compare(complex, *answer.exact_complex, tolerance, answer.compared);
+        }
+        if (answer.compared == Compared::All) return compare(complex, answer.complex, tolerance);
+        return compare(complex, exact(answer.complex), tolerance, answer.compared);
+      },
+      nb::arg("complex"), nb::arg("answer"), nb::arg("tolerance"),
+      nb::call_guard<nb::gil_scoped_release>());
   m.def("in_doubles", &in_doubles, nb::arg("lines"), nb::call_guard<nb::gil_scoped_release>());
   m.def(
       "choose_some_faces",

@@ -18,7 +18,7 @@ from fractions import Fraction
 from typing import Any
 
 import plumbline
-from plumbline import Arrangement, Check, Finding
+from plumbline import Arrangement, Comparison, Finding
 
 from study.engines import Configuration, Reply
 from study.families import Case, largest_coordinate
@@ -81,10 +81,10 @@ def judge(
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", plumbline.LossWarning)
-            check = plumbline.check(reply.model, truth, tolerance=tolerance, threads=1)
+            comparison = plumbline.compare_result(reply.model, truth, tolerance)
     except plumbline.Error as error:
         return Judgement("invalid", "unreadable", message=str(error)[:300])
-    return _judged(check, reply.model, largest)
+    return _judged(comparison, reply.model, largest)
 
 
 def tolerance_of(case: Case, name: str, of: Configuration) -> float:
@@ -110,16 +110,16 @@ def judgements(
     return found
 
 
-def _judged(check: Check, model: dict[str, Any], largest: float) -> Judgement:
-    findings = check.findings
+def _judged(comparison: Comparison, model: dict[str, Any], largest: float) -> Judgement:
+    findings = comparison.findings
     wrong = [f for f in findings if f.disagreement not in ("moved", "reshaped", "invalid")]
     invalid = [f for f in findings if f.disagreement == "invalid"]
-    displacement = check.largest_displacement
+    displacement = comparison.largest_displacement
     for f in findings:
         if f.disagreement == "moved":
             displacement = max(displacement, f.distance or 0.0)
-    if invalid or (not check and not findings):
-        outcome, kind = "invalid", str(invalid[0].invariant) if invalid else "unreadable"
+    if invalid:
+        outcome, kind = "invalid", str(invalid[0].invariant)
         if _is_rounding(findings, displacement, largest):
             outcome = "moved"
     elif wrong:
@@ -133,13 +133,13 @@ def _judged(check: Check, model: dict[str, Any], largest: float) -> Judgement:
         outcome,
         kind,
         ", ".join(f"{name} {n}" for name, n in sorted(counts.items())),
-        check.answer_counts.vertices,
-        check.answer_counts.edges,
+        comparison.answer_counts.vertices,
+        comparison.answer_counts.edges,
         faces_in(model),
         _faces_wrong(wrong),
         float(sum(areas, Fraction(0))),
         displacement,
-        check.tolerance,
+        comparison.tolerance,
     )
 
 

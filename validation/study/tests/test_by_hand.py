@@ -1,4 +1,4 @@
-"""Arrangements by hand, against textbooks and against the package, which shares nothing with them."""
+"""Arrangements by hand, against textbooks and the package, which shares nothing with them."""
 
 from __future__ import annotations
 
