@@ -23,6 +23,9 @@ from plumbline.arrangement import Arrangement
 from plumbline.errors import Error, FileError
 from plumbline.line_inputs import ensure_utf8, feature_of, is_of_mappings, is_wkt
 
+ResultLike = Any
+"""What `check` takes as a result: see there."""
+
 
 def answer_of_result(result: Any) -> _core.Answer:
     """What `check` takes as a result, but for engines."""

@@ -20,7 +20,7 @@ from plumbline._crs import ensure_same_crs
 from plumbline._notebook import framed
 from plumbline._numbers import Number, Numbers
 from plumbline._progress import Progress, told
-from plumbline._results import answer_of_result
+from plumbline._results import ResultLike, answer_of_result
 from plumbline._sizes import nearest_size
 from plumbline._tables import to_geodataframe
 from plumbline._warnings import warn_of_loss
@@ -45,9 +45,6 @@ __all__ = [
     "RightRadii",
     "check",
 ]
-
-ResultLike = Any
-"""What `check` takes as a result: see there."""
 
 
 class Engine(Protocol):
