@@ -69,6 +69,8 @@ class Family:
     """Whether authored numbers are rounded ones, and what was meant is therefore known."""
     grows_well: bool = True
     """Whether large ones have no more crossings than some for each segment."""
+    most_seeds: int | None = None
+    """Of a family with thousands of edges in each drawing, which take a minute with all engines."""
     decimals: int | None = None
     """Of authored numbers that are rounded; None: the shortest ones of nearest doubles."""
 
@@ -335,10 +337,21 @@ def plan_families() -> list[Family]:
     return result
 
 
+_MOST_SEEDS = {"near pencils": 3}
+
+
 def campaign_families() -> list[Family]:
     """Small inputs that hurt an arrangement, each family in its own way."""
     names = [name for name in campaign_names() if name not in _PLANS]
-    return [Family(name, "campaign", functools.partial(of_program, name, False)) for name in names]
+    return [
+        Family(
+            name,
+            "campaign",
+            functools.partial(of_program, name, False),
+            most_seeds=_MOST_SEEDS.get(name),
+        )
+        for name in names
+    ]
 
 
 def drawing_families(folder: Path) -> list[Family]:

@@ -137,6 +137,8 @@ def _seeds(
     scales: tuple[str, ...],
     truths: tuple[str, ...] = TRUTHS,
 ) -> Iterator[Block]:
+    if family.most_seeds is not None:
+        count = min(count, family.most_seeds)
     for size in dict.fromkeys(family.sizes):
         block = 1 if size >= _LARGE else _BLOCK
         for scale in scales:
