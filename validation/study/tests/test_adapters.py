@@ -28,7 +28,8 @@ BRIDGE = [[0.0, 0.0, 1.0, 2.0]]
 POINT = [[1.0, 1.0, 1.0, 1.0]]
 
 ENGINES = engines()
-HERE = [(e.name, c) for e in ENGINES for c in e.configurations]
+HERE = [(e.name, c) for e in ENGINES if not e.takes_rings for c in e.configurations]
+OF_RINGS = [(e.name, c) for e in ENGINES if e.takes_rings for c in e.configurations]
 EDGES_ALONE = {
     "boost_polygon",
     ("cgal", "triangulation-epeck"),
@@ -93,7 +94,7 @@ def test_an_adapter_lists_its_engine_or_says_why_it_is_not_here(engine: Any) -> 
     assert names and len(set(names)) == len(names)
     for configuration in engine.listed["configurations"]:
         tolerance = configuration["tolerance"]
-        assert tolerance["kind"] in ("none", "grid", "snap")
+        assert tolerance["kind"] in ("none", "grid", "snap", "relative")
         assert (tolerance["value"] == 0) == (tolerance["kind"] == "none")
         assert configuration["title"] and configuration["source"]
 
@@ -206,6 +207,8 @@ def test_a_tolerance_decides_what_is_one_point(running: tuple[tuple[str, str], A
 
 def test_ways_are_named_where_tolerances_can_be_chosen() -> None:
     for engine in ENGINES:
+        if engine.takes_rings:
+            continue  # their cases have no tolerances
         for c in engine.listed["configurations"] if engine.listed else ():
             tolerance = c["tolerance"]
             assert (tolerance["kind"] == "none") == (not tolerance.get("way"))
@@ -244,6 +247,57 @@ def test_answers_come_in_the_order_of_cases(running: tuple[tuple[str, str], Adap
     _, adapter = running
     for case in (9, 4, 7):
         assert adapter.ask(case, SQUARE, SECONDS)["case"] == case
+
+
+BOX, OTHER = ([(x, x), (x + 4.0, x), (x + 4.0, x + 4.0), (x, x + 4.0)] for x in (0.0, 2.0))
+WITHIN = [(1.0, 1.0), (2.0, 1.0), (1.0, 2.0)]
+
+
+@pytest.mark.parametrize("of", OF_RINGS, ids=lambda of: f"{of[0]}-{of[1]}")
+@pytest.mark.parametrize(
+    ("rings", "rule", "twice_area", "count"),
+    [
+        ([], "nonzero", 0, 0),
+        ([BOX], "nonzero", 32, 1),
+        ([BOX, OTHER], "nonzero", 56, 1),
+        ([BOX, OTHER], "evenodd", 48, None),
+        ([BOX, WITHIN], "nonzero", 32, 1),
+        ([BOX, WITHIN], "evenodd", 31, 2),
+        ([BOX, BOX], "evenodd", 0, 0),
+        ([BOX, BOX], "nonzero", 32, 1),
+    ],
+)
+def test_rings_are_united_by_their_rule(
+    of: tuple[str, str],
+    rings: list[list[tuple[float, float]]],
+    rule: str,
+    twice_area: float,
+    count: int | None,
+) -> None:
+    adapter = Adapter(*of)
+    try:
+        answer = adapter.ask_rings(1, rings, rule, SECONDS)
+    finally:
+        adapter.close()
+    assert answer["case"] == 1 and "error" not in answer
+    model = answer["model"]
+    polygons = model.get("polygons", [[ring] for ring in model.get("rings", ())])
+    found = [ring for polygon in polygons for ring in polygon]
+    assert count in (None, len(found))
+    sides = {tuple(sorted(s)) for ring in found for s in zip(ring, [*ring[1:], ring[0]])}
+    assert sides == {tuple(e) for e in model["EV"]}
+    sizes = [[abs(_twice_area(model["V"], ring)) for ring in polygon] for polygon in polygons]
+    if "polygons" in model:
+        assert sum(outer - sum(holes) for outer, *holes in sizes) == pytest.approx(twice_area)
+    elif count is not None:  # the second one, if any, is a hole
+        assert sum(
+            (-1) ** k * size for k, [size] in enumerate(sorted(sizes, reverse=True))
+        ) == pytest.approx(twice_area)
+
+
+def _twice_area(vertices: list[list[float]], ring: list[int]) -> float:
+    places = [vertices[v] for v in ring]
+    return sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(places, [*places[1:], places[0]]))
 
 
 @pytest.mark.parametrize(

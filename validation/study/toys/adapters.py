@@ -34,6 +34,11 @@ class Listed:
     def configurations(self) -> list[str]:
         return [c["name"] for c in self.listed["configurations"]] if self.listed else []
 
+    @property
+    def takes_rings(self) -> bool:
+        """Whether cases are rings, and not segments."""
+        return self.listed is not None and self.listed.get("input") == "rings"
+
 
 def engines() -> list[Listed]:
     """All, by their names."""
@@ -84,11 +89,20 @@ class Adapter:
 
         Raises Stopped where none comes within so many seconds.
         """
-        assert self._process.stdin is not None
         given: dict[str, Any] = {"case": case, "segments": segments}
         if tolerance is not None:
             given["tolerance"] = tolerance
-        line = json.dumps(given)
+        return self._ask(given, seconds)
+
+    def ask_rings(
+        self, case: int, rings: list[list[tuple[float, float]]], rule: str, seconds: float
+    ) -> Answer:
+        """The same of an engine of rings."""
+        return self._ask({"case": case, "rings": rings, "rule": rule}, seconds)
+
+    def _ask(self, case: dict[str, Any], seconds: float) -> Answer:
+        assert self._process.stdin is not None
+        line = json.dumps(case)
         try:
             self._process.stdin.write(line.encode() + b"\n")
             self._process.stdin.flush()

@@ -16,12 +16,6 @@
 namespace study {
 namespace {
 
-struct Case {
-  std::string number;  // as it was given
-  std::vector<Segment> segments;
-  std::optional<double> tolerance;
-};
-
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -58,46 +52,71 @@ std::optional<double> number_of(const char* text) {
   return end == text ? std::nan("") : number;
 }
 
-// A case has a number and lists of numbers, so nothing but numbers has to be found.
-Case read_case(const std::string& line) {
-  Case result;
-  result.number = std::to_string(std::strtoll(value_of(line, "case"), nullptr, 10));
-  std::vector<double> numbers;
+// Lists of numbers, as lists within a list: nothing but numbers has to be found. -0.0 is 0.0.
+std::vector<std::vector<double>> read_lists(const char* at) {
+  std::vector<std::vector<double>> lists;
   int depth = 0;
-  const char* at = std::strchr(value_of(line, "segments"), '[');
   while (at != nullptr && *at != '\0') {
-    if (*at == '[') ++depth;
+    if (*at == '[' && ++depth == 2) lists.emplace_back();
     if (*at == ']' && --depth == 0) break;
     if (std::strchr("[], \t\r", *at) != nullptr) {
       ++at;
       continue;
     }
     char* end = nullptr;
-    numbers.push_back(std::strtod(at, &end) + 0.0);  // -0.0 is 0.0
-    if (end == at) throw std::runtime_error("a case whose segments are no numbers");
+    const double number = std::strtod(at, &end) + 0.0;
+    if (end == at || lists.empty()) throw std::runtime_error("a case whose lists are no numbers");
+    lists.back().push_back(number);
     at = end;
   }
-  for (std::size_t i = 0; i + 3 < numbers.size(); i += 4) {
-    const Segment s{Point{numbers[i], numbers[i + 1]}, Point{numbers[i + 2], numbers[i + 3]}};
-    if (s[0] != s[1]) result.segments.push_back(s);
+  return lists;
+}
+
+std::vector<std::vector<double>> lists_of(const std::string& line, const std::string& name) {
+  return read_lists(std::strchr(value_of(line, name), '['));
+}
+
+std::vector<Segment> segments_of(const std::string& line) {
+  std::vector<Segment> segments;
+  for (const std::vector<double>& row : lists_of(line, "segments")) {
+    const Segment s{Point{row.at(0), row.at(1)}, Point{row.at(2), row.at(3)}};
+    if (s[0] != s[1]) segments.push_back(s);
   }
-  result.tolerance = number_of(value_or_null(line, "tolerance"));
+  return segments;
+}
+
+Rings rings_of(const std::string& line) {
+  Rings result;
+  for (const std::vector<double>& numbers : lists_of(line, "rings")) {
+    std::vector<Point>& ring = result.rings.emplace_back();
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+      ring.push_back({numbers[i], numbers[i + 1]});
+    }
+  }
+  const std::string rule = value_of(line, "rule");
+  result.is_even_odd = rule.find("\"evenodd\"") < rule.find(',');
   return result;
 }
 
-double tolerance_of(const Configuration& configuration, const Case& given) {
-  if (!given.tolerance) return configuration.tolerance;
-  const double wanted = *given.tolerance;
+double tolerance_of(const Configuration& configuration, const std::string& line) {
+  const std::optional<double> given = number_of(value_or_null(line, "tolerance"));
+  if (!given) return configuration.tolerance;
   if (configuration.tolerance_kind == "none") {
     throw BadTolerance("this configuration has no tolerance");
   }
-  if (!std::isfinite(wanted) || wanted < 0) {
+  if (!std::isfinite(*given) || *given < 0) {
     throw BadTolerance("a tolerance is a number, not below 0");
   }
-  if (configuration.tolerance_kind == "grid" && wanted == 0) {
+  if (configuration.tolerance_kind == "grid" && *given == 0) {
     throw BadTolerance("a grid has a distance above 0");
   }
-  return wanted;
+  return *given;
+}
+
+Model run(const Configuration& configuration, const std::string& line, Clock& clock) {
+  if (configuration.run_rings) return configuration.run_rings(rings_of(line), clock);
+  const double tolerance = tolerance_of(configuration, line);
+  return configuration.run(segments_of(line), clock, tolerance);
 }
 
 // A list of what `item` writes.
@@ -146,12 +165,11 @@ void ensure_finite(const Model& model) {
 }
 
 std::string answer(const Configuration& configuration, const std::string& line) {
-  const Case given = read_case(line);
+  const std::string number = std::to_string(std::strtoll(value_of(line, "case"), nullptr, 10));
   Clock clock;
   std::string said;
   try {
-    const double tolerance = tolerance_of(configuration, given);
-    const Model model = configuration.run(given.segments, clock, tolerance);
+    const Model model = run(configuration, line, clock);
     ensure_finite(model);
     said = "\"model\": " + written(model);
   } catch (const EngineError& error) {
@@ -159,8 +177,8 @@ std::string answer(const Configuration& configuration, const std::string& line) 
   } catch (const std::exception& error) {
     said = failed(class_of(error), error.what());
   }
-  return "{\"case\": " + given.number + ", \"seconds\": " + decimals(clock.seconds()) + ", " +
-         said + "}\n";
+  return "{\"case\": " + number + ", \"seconds\": " + decimals(clock.seconds()) + ", " + said +
+         "}\n";
 }
 
 std::string listed(const Engine& engine) {
@@ -168,6 +186,9 @@ std::string listed(const Engine& engine) {
       "{\"engine\": " + quoted(engine.engine) + ", \"title\": " + quoted(engine.title) +
       ", \"version\": " + quoted(engine.version) + ", \"algorithm\": " + quoted(engine.algorithm) +
       ", \"licence\": " + quoted(engine.licence);
+  if (!engine.takes.empty()) {
+    out += ", \"input\": \"rings\", \"takes\": " + list(engine.takes, quoted);
+  }
   out += ", \"configurations\": " + list(engine.configurations, [](const Configuration& c) {
            return "{\"name\": " + quoted(c.name) + ", \"title\": " + quoted(c.title) +
                   ", \"tolerance\": {\"kind\": " + quoted(c.tolerance_kind) +

@@ -27,6 +27,12 @@ struct Model {
   std::optional<std::vector<std::vector<Ring>>> polygons;
 };
 
+// What engines of rings get: in no ring the first vertex is repeated.
+struct Rings {
+  std::vector<std::vector<Point>> rings;
+  bool is_even_odd = false;  // else nonzero
+};
+
 // The time that an engine takes. What an adapter does before and after is not the engine's.
 class Clock {
  public:
@@ -71,9 +77,11 @@ struct Configuration {
   std::function<Model(const std::vector<Segment>&, Clock&, double)> run;
   std::string promise = "";
   std::string way = "";
+  std::function<Model(const Rings&, Clock&)> run_rings = nullptr;  // instead, of engines of rings
 };
 
-// `algorithm` is what counts as one independent engine: wrappers of one share it.
+// `algorithm` is what counts as one independent engine: wrappers of one share it. `takes` is of
+// engines of rings: kinds of rings and fill rules, as "simple nonzero".
 struct Engine {
   std::string engine;
   std::string title;
@@ -81,6 +89,7 @@ struct Engine {
   std::string algorithm;
   std::string licence;
   std::vector<Configuration> configurations;
+  std::vector<std::string> takes = {};
 };
 
 // Numbers points in the order in which they come, equal ones alike. -0.0 is 0.0.

@@ -28,7 +28,8 @@ export function versionOf(name) {
  * Runs an adapter: lists it, or answers the cases of standard input. `engine` has engine, title, version, algorithm,
  * licence and configurations; of each configuration `run` gets segments [ax, ay, bx, by], of which none is of length 0,
  * a clock whose `time(f)` is to be called with what the engine does, and the tolerance: the configuration's, or that of the
- * case. It returns, or promises, a model. `repairs` are, with the argument --repairs, configurations instead of these.
+ * case. It returns, or promises, a model. Where the engine's `input` is 'rings', `run` gets {rings, rule} instead of
+ * segments. `repairs` are, with the argument --repairs, configurations instead of these.
  */
 export async function serve({configurations, repairs = [], ...named}) {
   const isRepair = process.argv[2] === '--repairs';
@@ -59,9 +60,7 @@ function toleranceOf({tolerance: {kind, value}}, {tolerance: wanted}) {
 }
 
 async function answer(configuration, given) {
-  const segments = given.segments
-    .map((segment) => segment.map((x) => x + 0)) // no -0
-    .filter(([ax, ay, bx, by]) => ax !== bx || ay !== by);
+  const input = given.rings ? ringsOf(given) : segmentsOf(given);
   const clock = {
     seconds: 0,
     async time(work) {
@@ -75,7 +74,7 @@ async function answer(configuration, given) {
   };
   let said;
   try {
-    const model = await configuration.run(segments, clock, toleranceOf(configuration, given));
+    const model = await configuration.run(input, clock, toleranceOf(configuration, given));
     if (!model.V.every((point) => point.every(Number.isFinite))) {
       throw new EngineError('NotFinite', 'coordinates of the result are not finite');
     }
@@ -85,6 +84,39 @@ async function answer(configuration, given) {
     said = {error: {class: String(kind), message: String(error.message ?? error).slice(0, 500)}};
   }
   return {case: given.case, seconds: clock.seconds, ...said};
+}
+
+function segmentsOf(given) {
+  return given.segments
+    .map((segment) => segment.map((x) => x + 0)) // no -0
+    .filter(([ax, ay, bx, by]) => ax !== bx || ay !== by);
+}
+
+function ringsOf({rings, rule}) {
+  return {rings: rings.map((ring) => ring.map(([x, y]) => [x + 0, y + 0])), rule};
+}
+
+/** A model of polygons: of each its rings of points [x, y], the outer one first, none with its first point again. */
+export function modelOfPolygons(polygons) {
+  const number = new Numbering();
+  const numbered = polygons.map((rings) => rings.map((ring) => ring.map(([x, y]) => number.of(x, y))));
+  return {V: number.points, EV: eachOnce(numbered.flat().flatMap(sidesOf)), polygons: numbered};
+}
+
+/** A model of rings in no order, which are even-odd. */
+export function modelOfRings(rings) {
+  const number = new Numbering();
+  const numbered = rings.map((ring) => ring.map(([x, y]) => number.of(x, y)));
+  return {V: number.points, EV: eachOnce(numbered.flatMap(sidesOf)), rings: numbered};
+}
+
+const sidesOf = (ring) => ring.map((v, i) => [v, ring[(i + 1) % ring.length]]);
+
+/** A ring without the first point again at its end. */
+export function opened(ring) {
+  const last = ring.length - 1;
+  const isClosed = last > 0 && ring[0][0] === ring[last][0] && ring[0][1] === ring[last][1];
+  return isClosed ? ring.slice(0, last) : ring;
 }
 
 /** Numbers points in the order in which they come, equal ones alike. */

@@ -56,21 +56,30 @@ class BadTolerance(EngineError):
 
 
 @dataclass(frozen=True)
+class Rings:
+    """What an engine of rings gets: per ring its points, the first one not again, and the rule,
+    evenodd or nonzero."""
+
+    rings: list[Floats]
+    rule: str
+
+
+@dataclass(frozen=True)
 class Configuration:
     """One way to call an engine.
 
-    `run` gets segments, rows ax, ay, bx, by, of which none is of length 0, and a tolerance, and
-    returns a model. `tolerance` is ("none", 0), ("grid", its distance) or ("snap", the distance);
-    `source` says where the engine's own documentation has this way; `promise`, if it is not empty,
-    what the tolerance promises, as ../README.md has it; `way` what is called, without the
-    tolerance.
+    `run` gets segments, rows ax, ay, bx, by, of which none is of length 0, or `Rings` where the
+    engine takes these, and a tolerance, and returns a model. `tolerance` is ("none", 0), ("grid",
+    its distance) or ("snap", the distance); `source` says where the engine's own documentation has
+    this way; `promise`, if it is not empty, what the tolerance promises, as ../README.md has it;
+    `way` what is called, without the tolerance.
     """
 
     name: str
     title: str
     tolerance: tuple[str, float]
     source: str
-    run: Callable[[Floats, Clock, float | None], Model]
+    run: Callable[[Any, Clock, float | None], Model]
     promise: str = ""
     way: str = ""
     is_automatic: bool = False
@@ -80,7 +89,8 @@ class Configuration:
 @dataclass(frozen=True)
 class Engine:
     """`algorithm` is what counts as one independent engine: wrappers of one share it. `repairs`
-    are ways to repair a drawing, apart from those that take it as it is."""
+    are ways to repair a drawing, apart from those that take it as it is. `takes` is of engines of
+    rings: kinds of rings and fill rules, as "simple nonzero"."""
 
     engine: str
     title: str
@@ -89,6 +99,7 @@ class Engine:
     licence: str
     configurations: Sequence[Configuration]
     repairs: Sequence[Configuration] = ()
+    takes: Sequence[str] = ()
 
     def listed(self, chosen: Sequence[Configuration]) -> dict[str, Any]:
         """What ``adapter --list`` prints."""
@@ -102,7 +113,8 @@ class Engine:
             }
             for c in chosen
         ]
-        return {
+        rings = {"input": "rings", "takes": list(self.takes)} if self.takes else {}
+        return rings | {
             "engine": self.engine,
             "title": self.title,
             "version": self.version,
@@ -145,11 +157,11 @@ def _own_output() -> TextIO:
 
 
 def _answer(configuration: Configuration, case: dict[str, Any]) -> dict[str, Any]:
-    segments = np.array(case["segments"], dtype=np.float64).reshape(-1, 4) + 0.0  # no -0.0
-    segments = segments[(segments[:, :2] != segments[:, 2:]).any(axis=1)]
     clock = Clock()
     try:
-        model = configuration.run(segments, clock, _tolerance(configuration, case))
+        tolerance = _tolerance(configuration, case)
+        given = _rings(case) if "rings" in case else _segments(case)
+        model = configuration.run(given, clock, tolerance)
         if not np.isfinite(np.array(model["V"], dtype=np.float64)).all():
             raise EngineError("NotFinite", "coordinates of the result are not finite")
     except EngineError as error:
@@ -171,6 +183,16 @@ def _tolerance(configuration: Configuration, case: dict[str, Any]) -> float | No
     if kind == "grid" and wanted == 0:
         raise BadTolerance("a grid has a distance above 0")
     return float(wanted)
+
+
+def _segments(case: dict[str, Any]) -> Floats:
+    segments: Floats = np.array(case["segments"], dtype=np.float64).reshape(-1, 4) + 0.0  # no -0.0
+    return segments[(segments[:, :2] != segments[:, 2:]).any(axis=1)]
+
+
+def _rings(case: dict[str, Any]) -> Rings:
+    rings = [np.array(ring, dtype=np.float64).reshape(-1, 2) + 0.0 for ring in case["rings"]]
+    return Rings(rings, case["rule"])
 
 
 def _failed(case: dict[str, Any], clock: Clock, kind: str, message: str) -> dict[str, Any]:
