@@ -17,7 +17,18 @@ from typing import Any
 from study import results
 from study.engines import Limits, NotHere, listing
 from study.results import Row
-from study.schedule import FULL, QUICK, Block, at_most, blocks, sweeps
+from study.ring_work import RingWorker
+from study.schedule import (
+    FULL,
+    QUICK,
+    Amount,
+    Block,
+    RingBlock,
+    at_most,
+    blocks,
+    ring_blocks,
+    sweeps,
+)
 from study.work import Bounds, Engine, Worker
 
 _HERE = Path(__file__).resolve().parents[1]
@@ -29,7 +40,8 @@ _EVERY = 10.0  # seconds, at which progress is told
 
 _INTERRUPTED = 130  # the exit code that shells have for it
 
-_worker: Worker | None = None  # of this process
+AnyBlock = Block | RingBlock
+_workers: tuple[Worker, RingWorker] | None = None  # of this process
 
 
 def engines_of(folders: Sequence[Path], chosen: Sequence[str]) -> list[Engine]:
@@ -45,26 +57,38 @@ def engines_of(folders: Sequence[Path], chosen: Sequence[str]) -> list[Engine]:
     return found
 
 
-def part_of(all_blocks: Iterator[Block], part: tuple[int, int]) -> list[Block]:
+def blocks_for(engines: Sequence[Engine], amount: Amount, drawings: Path) -> Iterator[AnyBlock]:
+    """Those of line work and of rings, where any engine takes such."""
+    if any(e.configuration.takes for e in engines):
+        yield from ring_blocks(amount)
+    if not all(e.configuration.takes for e in engines):
+        yield from blocks(amount, drawings)
+
+
+def part_of(all_blocks: Iterator[AnyBlock], part: tuple[int, int]) -> list[AnyBlock]:
     """Every n-th block, from the k-th on."""
     k, n = part
     return [block for i, block in enumerate(all_blocks) if i % n == k - 1]
 
 
 def _begin(engines: list[Engine], done: set[tuple[Any, ...]], bounds: Bounds) -> None:
-    global _worker
-    _worker = Worker(engines, done, bounds)
+    global _workers
+    of_lines = Worker([e for e in engines if not e.configuration.takes], done, bounds)
+    of_rings = RingWorker([e for e in engines if e.configuration.takes], done, bounds)
+    _workers = of_lines, of_rings
     # Adapters are no children of this process's group: they must be ended by it.
-    Finalize(None, _worker.__exit__, exitpriority=0)
+    for worker in _workers:
+        Finalize(None, worker.__exit__, exitpriority=0)
 
 
-def _rows(block: Block) -> list[Row]:
-    assert _worker
-    return _worker.rows(block)
+def _rows(block: AnyBlock) -> list[Row]:
+    assert _workers
+    of_lines, of_rings = _workers
+    return of_rings.rows_of_rings(block) if isinstance(block, RingBlock) else of_lines.rows(block)
 
 
 def run(
-    todo: Sequence[Block],
+    todo: Sequence[AnyBlock],
     engines: list[Engine],
     path: Path,
     jobs: int,
@@ -148,7 +172,7 @@ def main() -> int:
     if not engines:
         print("no engine is here", file=sys.stderr)
         return 2
-    planned = sweeps(amount) if given.tolerances else blocks(amount, given.drawings)
+    planned = sweeps(amount) if given.tolerances else blocks_for(engines, amount, given.drawings)
     todo = part_of(planned, given.part)
     limits = Limits(given.timeout, memory=int(given.memory * 2**30))
     bounds = Bounds(limits, 1 if given.full else 4, inf, given.slow_seeds, given.seed)

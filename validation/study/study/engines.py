@@ -42,7 +42,7 @@ class Configuration:
     algorithm: str
     name: str
     configuration_title: str
-    tolerance_kind: Literal["none", "grid", "snap"]
+    tolerance_kind: Literal["none", "grid", "snap", "relative"]
     tolerance: float
     source: str
     promise: str = ""
@@ -50,6 +50,8 @@ class Configuration:
     way: str = ""
     """What is called, without the tolerance, where there is one: configurations of an engine with
     the same one differ by tolerance alone."""
+    takes: tuple[str, ...] = ()
+    """Of engines of rings: kinds of rings and rules, as "simple nonzero". Empty: segments."""
 
     @property
     def key(self) -> tuple[str, str, str]:
@@ -110,6 +112,7 @@ def listing(adapter: Path, timeout: float = 60.0) -> list[Configuration]:
                 c.get("source", ""),
                 c["tolerance"].get("promise", ""),
                 c["tolerance"].get("way") or "",
+                takes=tuple(said.get("takes", ())),
             )
             for c in said["configurations"]
         ]
@@ -137,11 +140,18 @@ class Adapter:
 
     def ask(self, segments: Sequence[Sequence[float]], tolerance: float | None = None) -> Reply:
         """The answer to a case, whatever happens. None: within the configuration's tolerance."""
-        self._case += 1
-        case: dict[str, Any] = {"case": self._case, "segments": [list(s) for s in segments]}
+        case: dict[str, Any] = {"segments": [list(s) for s in segments]}
         if tolerance is not None:
             case["tolerance"] = tolerance
-        line = json.dumps(case).encode() + b"\n"
+        return self._ask(case)
+
+    def ask_rings(self, rings: Sequence[Sequence[Sequence[float]]], rule: str) -> Reply:
+        """The same of an engine of rings."""
+        return self._ask({"rings": rings, "rule": rule})
+
+    def _ask(self, question: dict[str, Any]) -> Reply:
+        self._case += 1
+        line = json.dumps({"case": self._case, **question}).encode() + b"\n"
         if self._process is None or self._process.poll() is not None:
             self._start()
         allowed = self._limits.seconds + (self._limits.start_seconds if self._is_new else 0)

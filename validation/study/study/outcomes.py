@@ -42,7 +42,7 @@ _GRAVEST_FIRST = {
     ("edge", "merged"): "edges merged",
     ("edge", "split"): "edge split",
 }
-_IDENTICAL = 2.0**-51  # of the largest coordinate: two units in its last place
+IDENTICAL = 2.0**-51  # of the largest coordinate: two units in its last place
 _SHARE, _OF_LARGEST = 1e-9, 2.0**-46  # the tolerance that `plumbline.check` has by itself
 
 
@@ -123,9 +123,9 @@ def _judged(comparison: Comparison, model: dict[str, Any], largest: float) -> Ju
         if _is_rounding(findings, displacement, largest):
             outcome = "moved"
     elif wrong:
-        outcome, kind = "topology", _gravest(wrong)
+        outcome, kind = "topology", gravest({(f.kind, f.disagreement) for f in wrong})
     else:
-        is_moved = bool(findings) or displacement > _IDENTICAL * largest
+        is_moved = bool(findings) or displacement > IDENTICAL * largest
         outcome, kind = "moved" if is_moved else "identical", ""
     counts = Counter(f"{f.kind} {f.disagreement}" for f in findings)
     areas = [f.area for f in findings if f.area is not None]
@@ -149,7 +149,7 @@ def _is_rounding(findings: list[Finding], displacement: float, largest: float) -
     to round each coordinate to the nearest double."""
     by_rounding = ("crossing", "vertex on edge")
     only = all(f.disagreement == "invalid" and f.invariant in by_rounding for f in findings)
-    return bool(findings) and only and displacement <= _IDENTICAL * largest
+    return bool(findings) and only and displacement <= IDENTICAL * largest
 
 
 def edges_of(model: dict[str, Any]) -> set[tuple[int, int]]:
@@ -167,8 +167,8 @@ def faces_in(model: dict[str, Any]) -> int:
     return -1
 
 
-def _gravest(wrong: list[Finding]) -> str:
-    kinds = {(f.kind, f.disagreement) for f in wrong}
+def gravest(kinds: set[tuple[str, str]]) -> str:
+    """Of kinds of cells with disagreements."""
     named = [name for kind, name in _GRAVEST_FIRST.items() if kind in kinds]
     return named[0] if named else " ".join(min(kinds))
 
@@ -202,7 +202,13 @@ def _own_tolerance(case: Case) -> float:
     x = [c for s in case.segments for c in (s[0], s[2])]
     y = [c for s in case.segments for c in (s[1], s[3])]
     side = max(max(x) - min(x), max(y) - min(y))
-    return max(_SHARE * side, _OF_LARGEST * largest_coordinate(case))
+    return tolerance_within(0.0, side, largest_coordinate(case))
+
+
+def tolerance_within(own: float, side: float, largest: float) -> float:
+    """An engine's own, and no less than `plumbline.check` has by itself for a drawing with this
+    longer side and this largest coordinate."""
+    return max(own, _SHARE * side, _OF_LARGEST * largest)
 
 
 def _rounding(case: Case) -> float:

@@ -64,7 +64,7 @@ def pictures(study: Study) -> dict[str, str]:
     for name, make in makers.items():
         figure = make()
         if figure is not None:
-            found[name] = svg(figure)
+            found[f"{study.prefix}{name}"] = svg(figure)
             pyplot.close(figure)
     return found
 
@@ -97,7 +97,7 @@ def heat_map(study: Study, truth: str) -> Figure | None:
     axes.set_facecolor("#e8e8e8")
     axes.set_xticks(range(len(families)), families, rotation=60, ha="right")
     axes.set_yticks(range(len(engines)), [study.of(e) for e in engines])
-    axes.set_title(f"Silently wrong, per cent of drawings; truth: {truth}")
+    axes.set_title(f"{study.subject}Silently wrong, per cent of drawings; truth: {truth}")
     figure.colorbar(image, ax=axes, shrink=0.8, pad=0.02)
     return figure
 
@@ -118,7 +118,7 @@ def taxonomy(study: Study, truth: str) -> Figure | None:
     axes.invert_yaxis()
     axes.set_xlim(0, 1)
     axes.set_xlabel("share of drawings")
-    axes.set_title(f"What became of the drawings; truth: {truth}")
+    axes.set_title(f"{study.subject}What became of the drawings; truth: {truth}")
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), frameon=False)
     return figure
 
@@ -154,7 +154,8 @@ def tolerance_response(study: Study, truth: str) -> Figure | None:
     ticks = [_NO_TOLERANCE, -12, -6, 0]
     grid[0, 0].set_xticks(ticks, ["0", *(f"1e{k}" if k else "1" for k in ticks[1:])])
     figure.supxlabel("tolerance / least feature that was meant", y=0, fontsize=9)
-    figure.suptitle(f"Drawings right (blue) and silently wrong (orange); truth: {truth}", y=1.0)
+    title = f"Drawings right (blue) and silently wrong (orange); truth: {truth}"
+    figure.suptitle(f"{study.subject}{title}", y=1.0)
     figure.tight_layout()
     return figure
 
@@ -207,7 +208,7 @@ def loud_against_silent(study: Study, truth: str) -> Figure | None:
     axes.set_ylabel("failed and said so, per cent")
     axes.set_xlim(left=-1)
     axes.set_ylim(bottom=-1)
-    axes.set_title(f"Loud and silent; truth: {truth}")
+    axes.set_title(f"{study.subject}Loud and silent; truth: {truth}")
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), frameon=False)
     return figure
 

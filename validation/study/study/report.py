@@ -8,6 +8,7 @@ import csv
 import html
 import io
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from study import responses, results, tables
@@ -46,15 +47,21 @@ def all_tables(study: Study) -> list[Table]:
         tables.nearness(study),
         tables.differences(study),
         tables.orders(study),
+        tables.areas(study),
         tables.time_table(study),
     ]
-    return [table for table in found if table.rows]
+    return [
+        replace(t, name=f"{study.prefix}{t.name}", title=f"{study.subject}{t.title}")
+        for t in found
+        if t.rows
+    ]
 
 
 def files(study: Study) -> dict[str, str]:
     """Contents by names."""
-    made = all_tables(study)
-    drawn = pictures(study)
+    parts = tables.of_lines_and_rings(study.all)
+    made = [table for part in parts for table in all_tables(part)]
+    drawn = {name: svg for part in parts for name, svg in pictures(part).items()}
     found = {f"{table.name}.csv": _csv(table) for table in made}
     found |= {f"{name}.svg": text for name, text in drawn.items()}
     found["study.md"] = _markdown(study, made, drawn)
@@ -115,7 +122,7 @@ def _markdown(study: Study, made: list[Table], drawn: dict[str, str]) -> str:
     parts = ["# Engines against exact arrangements", _summary(study), _engines_markdown(study)]
     for table in made:
         link = f"[{table.name}.csv]({table.name}.csv)"
-        if table.name.startswith(_LONG):
+        if table.name.removeprefix("rings_").startswith(_LONG):
             parts.append(f"## {table.title}\n\n{len(table.rows)} rows: {link}")
             continue
         lines = [
@@ -135,7 +142,7 @@ def _html(study: Study, made: list[Table], drawn: dict[str, str]) -> str:
         f"<h1>Engines against exact arrangements</h1><p>{html.escape(_summary(study))}</p>",
     ]
     for name, svg in drawn.items():
-        text = html.escape(_PICTURES[name.split("_")[0]])
+        text = html.escape(_PICTURES[name.removeprefix("rings_").split("_")[0]])
         inline = svg[svg.index("<svg") :]
         # Names of clip paths and glyphs are the same in all pictures of one page.
         prefixed = inline.replace('id="', f'id="{name}-').replace("url(#", f"url(#{name}-")

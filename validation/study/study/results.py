@@ -44,6 +44,7 @@ SCHEMA = pa.schema(
         ("exact_edges", pa.int64()),
         ("exact_faces", pa.int64()),
         ("feature_size", pa.float64()),
+        ("perimeter", pa.float64()),  # of the region, where it is rings
         ("fits_doubles", pa.bool_()),
         ("both_engines", pa.bool_()),
         # What came of it.

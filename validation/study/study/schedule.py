@@ -8,6 +8,7 @@ from pathlib import Path
 
 from study import families
 from study.families import Family, Unit
+from study.ring_families import RingFamily, ring_families
 from study.words import TRUTHS
 
 _BLOCK = 25  # seeds that one worker takes at a time: some seconds of work
@@ -34,12 +35,14 @@ class Amount:
     """Of drawings that are given with tolerances of all sizes."""
     ratios: tuple[float, ...]
     """Of these tolerances to the least feature that was meant."""
+    rings: tuple[tuple[int, int], ...]
+    """Sizes of rings, with numbers of seeds for each family and scale."""
     first_seed: int = 0
 
 
 _RATIOS = (0.0, *(float(f"1e{k}") for k in range(-12, 2)))
 
-QUICK = Amount(1, 1, (12,), (), 4, 1, 7, 1, (1e-9, 1e-1, 10.0))
+QUICK = Amount(1, 1, (12,), (), 4, 1, 7, 1, (1e-9, 1e-1, 10.0), ((10, 1),))
 FULL = Amount(
     seeds=100,
     scaled_seeds=25,
@@ -50,6 +53,7 @@ FULL = Amount(
     ulp_side=32,
     swept_seeds=10,
     ratios=_RATIOS,
+    rings=((10, 100), (100, 40), (1000, 3)),
 )
 
 
@@ -61,6 +65,7 @@ def at_most(amount: Amount, seeds: int) -> Amount:
         scaled_seeds=min(seeds, amount.scaled_seeds),
         ordered_seeds=min(seeds, amount.ordered_seeds),
         swept_seeds=min(seeds, amount.swept_seeds),
+        rings=tuple((size, min(n, seeds)) for size, n in amount.rings),
     )
 
 
@@ -88,8 +93,28 @@ class Block:
     """Of tolerances to the least feature that was meant; None: each engine's own tolerance."""
 
 
+@dataclass(frozen=True)
+class RingBlock:
+    """Units of one family of rings."""
+
+    family: RingFamily
+    units: tuple[Unit, ...]
+
+
+def ring_blocks(amount: Amount) -> Iterator[RingBlock]:
+    """All blocks of engines of rings, in the same order every time."""
+    for size, count in amount.rings:
+        for family in ring_families():
+            for scale in family.scales if size <= family.most else ():
+                last = amount.first_seed + count
+                for start in range(amount.first_seed, last, _BLOCK):
+                    seeds = range(start, min(start + _BLOCK, last))
+                    units = tuple(Unit(family.name, size, scale, s) for s in seeds)
+                    yield RingBlock(family, units)
+
+
 def blocks(amount: Amount, drawings: Path) -> Iterator[Block]:
-    """All blocks of a study, in the same order every time."""
+    """All blocks of engines of line work, in the same order every time."""
     small = [*families.campaign_families(), *families.plan_families()]
     made = families.made_families(amount.sizes)
     for family in small:

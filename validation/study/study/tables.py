@@ -12,7 +12,7 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from study.statistics import Share, holm, mcnemar
-from study.words import LOUD, OUTCOMES, RIGHT, SILENT, TRUTHS
+from study.words import LOUD, OUTCOMES, RIGHT, RINGS, SILENT, TRUTHS
 
 _DRAWING = ("family", "size", "scale", "seed")
 ENGINE = ("algorithm", "engine", "version", "configuration")
@@ -33,9 +33,12 @@ class Table:
 
 
 class Study:
-    """Results, and what is often asked of them."""
+    """Results, and what is often asked of them. Names of tables and pictures begin with `prefix`,
+    their titles with `subject`."""
 
-    def __init__(self, all_results: pa.Table) -> None:
+    def __init__(self, all_results: pa.Table, prefix: str = "", subject: str = "") -> None:
+        self.prefix = prefix
+        self.subject = subject
         self.all = all_results
         own = pc.is_null(all_results["ratio"])
         self.results = results = all_results.filter(own)
@@ -75,6 +78,13 @@ class Study:
         """Rows of drawings whose answer fits doubles: those that an engine can get right."""
         here = pc.and_(pc.equal(self.plain["truth"], truth), self.plain["fits_doubles"])
         return self.plain.filter(here)
+
+
+def of_lines_and_rings(results: pa.Table) -> tuple[Study, Study]:
+    """The two parts of a study: engines of line work, and engines of rings."""
+    is_rings = pc.equal(results["group"], RINGS)
+    rings = Study(results.filter(is_rings), "rings_", "Engines of rings: ")
+    return Study(results.filter(pc.invert(is_rings))), rings
 
 
 def family_title(group: str, family: str) -> str:
@@ -281,3 +291,32 @@ def time_table(study: Study) -> Table:
         rows.append((study.of(e), len(each), each[len(each) // 2], each[-1 - len(each) // 20]))
     columns = ("engine", "right answers", "median us per n + K", "19 of 20 below")
     return Table("times", "Times of right answers", columns, rows)
+
+
+def areas(study: Study) -> Table:
+    """Of engines of rings the area by which an answer and the exact region differ, over what moving
+    the boundary by the tolerance makes: tolerance times perimeter."""
+    rows = study.fair("doubles")
+    rows = rows.filter(pc.greater(rows["perimeter"], 0))
+    names = (*ENGINE, "outcome", "area", "compare_tolerance", "perimeter")
+    found: dict[Engine, dict[bool, list[float]]] = {}
+    for *engine, outcome, area, tolerance, perimeter in zip(*(rows[n].to_pylist() for n in names)):
+        if outcome not in LOUD and tolerance:
+            into = found.setdefault(tuple(engine), {True: [], False: []})
+            into[outcome in RIGHT].append(area / (tolerance * perimeter))
+    table = []
+    for e in study.engines:
+        of = found.get(e)
+        if of:
+            cells = [_middle_and_largest(of[is_right]) for is_right in (True, False)]
+            table.append((study.of(e), *cells[0], *cells[1]))
+    columns = ("engine", "right", "median", "largest", "silently wrong", "median", "largest")
+    title = "Area of the difference over tolerance times perimeter"
+    return Table("areas", title, columns, table)
+
+
+def _middle_and_largest(values: list[float]) -> tuple[int, float | str, float | str]:
+    ordered = sorted(values)
+    if not ordered:
+        return 0, "-", "-"
+    return len(ordered), ordered[len(ordered) // 2], ordered[-1]

@@ -24,7 +24,7 @@ from study.families import Case, ExactSegment, largest_coordinate
 from study.nearness import Nearness
 from study.snapping import snap_rounded, snap_rounded_down
 
-_COARSE = 2.0**-44  # of the largest coordinate: spacings of grids that doubles tell well apart
+COARSE = 2.0**-44  # of the largest coordinate: spacings of grids that doubles tell well apart
 _WELL_APART = 1000  # units of rounding, from which on doubles tell distances well enough
 _MANY = 2000  # pairs that are near
 _READINGS = 4  # times a snap distance, or that part: tolerances of two things may add up, for one
@@ -84,7 +84,7 @@ class Truths:
             return None
         if key not in self._contracts:
             if of.tolerance_kind == "grid":
-                is_fine = of.tolerance < _COARSE * largest_coordinate(self._case)
+                is_fine = of.tolerance < COARSE * largest_coordinate(self._case)
                 if is_fine or of.promise == "some":
                     return None  # doubles hardly tell points of a fine grid apart
                 round_to = snap_rounded_down if of.promise == "integers" else snap_rounded
@@ -103,7 +103,7 @@ class Truths:
         """Of the doubles' arrangement, the least distance of two vertices or of a vertex from an
         edge. None where it would take long: of large drawings, and where much is as near as
         doubles do not tell."""
-        return _feature_size(self.doubles, self.nearness)
+        return least_feature(self.doubles, self.nearness)
 
     @cached_property
     def meant_size(self) -> float | None:
@@ -111,7 +111,7 @@ class Truths:
         meant = self.intended
         if meant is None or meant is self.doubles:
             return self.feature_size
-        return _feature_size(meant, Nearness(meant))
+        return least_feature(meant, Nearness(meant))
 
     def fits_doubles(self, truth: Arrangement | Numbers) -> bool:
         """Whether a truth has the same cells when its vertices are rounded to doubles, so that an
@@ -148,7 +148,8 @@ class Truths:
         return Numbers(last.vertices, last.edges, last.faces)
 
 
-def _feature_size(of: Arrangement, near: Nearness) -> float | None:
+def least_feature(of: Arrangement, near: Nearness) -> float | None:
+    """See `Truths.feature_size`."""
     if not near.is_known or not of.counts.edges:
         return None
     if near.least > _WELL_APART * near.rounding:

@@ -10,3 +10,6 @@ OUTCOMES = (*LOUD, *SILENT, *RIGHT)
 
 TRUTHS = ("authored", "doubles", "intended", "contract")
 """See `study.truths`."""
+
+RINGS = "rings"
+"""The group of families of rings: see `study.ring_families`."""

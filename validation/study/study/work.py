@@ -111,9 +111,7 @@ class Worker:
                 except NotHere:
                     self._gone.add(of.key)
                     continue
-                self._asked[of.key] += 1
-                self._taken[of.key] += time.monotonic() - start
-                late[of.key] = late.get(of.key, 0) + 1 if reply.ending == "timeout" else 0
+                self._note(of.key, time.monotonic() - start, reply, late)
                 found = judgements(case, truths, of, reply, block.truths)
                 told = {**drawing, "ratio": ratio}
                 result += [_row(told, of, truths, reply, name, j) for name, j in found.items()]
@@ -140,12 +138,28 @@ class Worker:
             return False
         return (*key, *asdict(unit).values(), ratio) not in self._done
 
+    def _note(
+        self,
+        key: tuple[str, str, str],
+        seconds: float,
+        reply: Reply,
+        late: dict[tuple[str, str, str], int],
+    ) -> None:
+        """What an engine took."""
+        self._asked[key] += 1
+        self._taken[key] += seconds
+        late[key] = late.get(key, 0) + 1 if reply.ending == "timeout" else 0
+
     def _compared(self, truths: Truths, unit: Unit) -> bool:
-        """Whether the exact side was computed by both exact engines; one in so many is."""
-        if Dice(f"both {unit}").between(1, self._bounds.both_engines) != 1:
+        """Whether the exact side was computed by both exact engines."""
+        if not self._is_compared(unit):
             return False
         truths.ensure_both_engines()
         return True
+
+    def _is_compared(self, unit: Unit) -> bool:
+        """One in so many is."""
+        return Dice(f"both {unit}").between(1, self._bounds.both_engines) == 1
 
 
 def one_of_each_way(configurations: Sequence[Configuration]) -> set[tuple[str, str, str]]:
@@ -184,13 +198,27 @@ def _drawing(family: Family, case: Case, truths: Truths, both: bool) -> Row:
 def _row(
     drawing: Row, of: Configuration, truths: Truths, reply: Reply, name: str, found: Judgement
 ) -> Row:
-    judged = asdict(found)
-    judged["compare_tolerance"] = judged.pop("tolerance")
     truth = truths.of(name, of)
     assert truth is not None
     counts = truth.counts if isinstance(truth, Arrangement) else truth
     return {
         **drawing,
+        **row_of(of, found),
+        "truth": name,
+        "fits_doubles": truths.fits_doubles(truth),
+        "exact_vertices": counts.vertices,
+        "exact_edges": counts.edges,
+        "exact_faces": counts.faces - 1,
+        "answer": signature(reply),
+        "seconds": reply.seconds,
+    }
+
+
+def row_of(of: Configuration, found: Judgement) -> Row:
+    """What a row says of the engine and of its answer."""
+    judged = asdict(found)
+    judged["compare_tolerance"] = judged.pop("tolerance")
+    return {
         **judged,
         "engine": of.engine,
         "version": of.version,
@@ -201,13 +229,6 @@ def _row(
         "tolerance_kind": of.tolerance_kind,
         "tolerance": of.tolerance,
         "source": of.source,
-        "truth": name,
-        "fits_doubles": truths.fits_doubles(truth),
-        "exact_vertices": counts.vertices,
-        "exact_edges": counts.edges,
-        "exact_faces": counts.faces - 1,
-        "answer": signature(reply),
-        "seconds": reply.seconds,
     }
 
 

@@ -98,6 +98,17 @@ def test_a_report_is_the_same_bytes_twice_and_in_any_order_of_rows() -> None:
     assert "&lt;a&gt;" in first["index.html"] and "<a>" not in first["index.html"]
 
 
+def test_engines_of_rings_have_tables_of_their_own() -> None:
+    ring = {"group": "rings", "perimeter": 8.0, "compare_tolerance": 0.25, "area": 3.0}
+    rows = [row("c", "squares", s, "doubles", "moved", **ring) for s in range(9)]
+    found = files(study_of(rows))
+    assert not [name for name in found if not name.startswith(("rings_", "study", "index"))]
+    assert found["rings_areas.csv"].splitlines()[1] == "C 1.0: <c>,9,1.5,1.5,0,-,-"
+    both = files(study_of([*rows, *made()]))
+    assert both["rings_areas.csv"] == found["rings_areas.csv"]
+    assert "squares" not in both["silent_doubles.csv"]
+
+
 def test_results_are_gathered_once(tmp_path: Path) -> None:
     path = tmp_path / "folder" / "results.parquet"
     rows = made()

@@ -9,12 +9,13 @@ from pathlib import Path
 
 import pytest
 from study import results
-from study.__main__ import engines_of, part_of, run
+from study.__main__ import blocks_for, engines_of, part_of, run
 from study.engines import Configuration, Limits
 from study.families import Unit, case_of, made_families
-from study.schedule import Block
+from study.schedule import QUICK, Block
 from study.truths import Truths
-from study.work import Bounds, one_of_each_way
+from study.words import RINGS
+from study.work import Bounds, Engine, one_of_each_way
 
 pytest.importorskip("shapely")
 
@@ -28,12 +29,16 @@ def blocks() -> list[Block]:
     ]
 
 
+def adapters(monkeypatch: pytest.MonkeyPatch, names: list[str]) -> list[Engine]:
+    monkeypatch.setenv("PATH", f"{Path(sys.executable).parent}:{os.environ['PATH']}")
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(p for p in sys.path if p))
+    return engines_of([ADAPTERS], names)
+
+
 def test_a_sweep_is_of_tolerances_by_feature_size(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setenv("PATH", f"{Path(sys.executable).parent}:{os.environ['PATH']}")
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(p for p in sys.path if p))
-    engines = engines_of([ADAPTERS], [])
+    engines = adapters(monkeypatch, ["plumbline-lar", "shapely"])
     [family] = [f for f in made_families((12,)) if f.name == "random"]
     ratios = (0.0, 1e-3, 10.0)
     swept = Block(family, (Unit(family.name, 12, "unit", 5),), ("doubles",), ratios)
@@ -78,9 +83,7 @@ def test_of_ways_that_differ_by_tolerance_one_is_swept() -> None:
 
 
 def test_a_study_is_resumed_where_it_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PATH", f"{Path(sys.executable).parent}:{os.environ['PATH']}")
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(p for p in sys.path if p))
-    engines = engines_of([ADAPTERS], [])
+    engines = adapters(monkeypatch, ["plumbline-lar", "shapely"])
     assert [e.configuration.name for e in engines][:2] == ["repaired-1e-8", "published"]
     path = tmp_path / "results.parquet"
     halves = [part_of(iter(blocks()), part) for part in ((1, 2), (2, 2))]
@@ -95,3 +98,26 @@ def test_a_study_is_resumed_where_it_ended(tmp_path: Path, monkeypatch: pytest.M
     assert node and {r["outcome"] for r in node} == {"identical"}
     run(blocks(), engines, path, 1, Bounds(Limits(), both_engines=1))
     assert results.load(path).equals(table)  # seconds, too: nothing was asked again
+
+
+def test_rings_are_put_to_engines_that_take_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    engines = adapters(monkeypatch, ["shapely", "shapely-rings"])
+    amount = replace(QUICK, rings=((10, 2),))
+    asked = blocks_for([e for e in engines if e.configuration.takes], amount, tmp_path)
+    todo = [b for b in asked if b.family.name.startswith("turned squares")]
+    assert {b.family.name for b in todo} == {"turned squares, union", "turned squares, xor"}
+    path = tmp_path / "results.parquet"
+    run([*todo, *blocks()[:1]], engines, path, 1, Bounds(Limits(), both_engines=1))
+    rows = results.load(path).to_pylist()
+    rings = [r for r in rows if r["group"] == RINGS]
+    assert {(r["engine"], r["family"]) for r in rings} == {
+        ("shapely-rings", "turned squares, union")
+    }
+    assert len(rings) == 2 * 2 * 3 and all(r["both_engines"] for r in rings)
+    by_way = {c: [r for r in rings if r["configuration"] == c] for c in ("union", "first")}
+    assert {r["outcome"] for r in by_way["union"]} <= {"identical", "moved"}
+    assert {r["outcome"] for r in by_way["first"]} == {"topology"}
+    assert all(r["area"] > 1e-3 and r["perimeter"] > 4 for r in by_way["first"])
+    assert {r["engine"] for r in rows if r["group"] != RINGS} == {"shapely"}
