@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "plumbline/overlay.hpp"
 #include "plumbline/polygons.hpp"
 #include "plumbline/rooms.hpp"
 #include "plumbline/round.hpp"
@@ -65,6 +66,11 @@ FeatureLayer vertex_layer(const Rounding& rounding);
 /// 5"), `doors` (neighbours behind doors), `face`, that of `face_layer`. Requires: a rounding of
 /// the complex of the rooms.
 FeatureLayer room_layer(const Rooms& rooms, const Rounding& rounding);
+
+/// The parts of pieces as valid polygons. Columns: `piece`, its number from 1, `first` and
+/// `second`, the elements that it lies in ("; " between), `area` and `area_exact` of this part.
+/// Requires: a rounding of the overlay's complex.
+FeatureLayer piece_layer(const Overlay& overlay, const Rounding& rounding);
 
 /// "nearest doubles, the same incidences as the exact complex, proven".
 std::string note_of(const Rounding& rounding);
