@@ -53,7 +53,7 @@ room(output error number geometry structure complex rooms polygons chains round 
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error geometry read chains arrange round edits check output engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs)
-room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings diagnose edits repair engine check minimise
+room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings regions diagnose edits repair engine check minimise
      engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs output engines/lar/show engines/inters/show
      pipeline)
 room(cli error geometry detail read arrange round repair engine minimise engines/files engines/programs output engines/lar/show pipeline plumbline)
