@@ -78,8 +78,8 @@ def load(path: Path) -> pa.Table:
 
 
 def units_done(table: pa.Table) -> set[tuple[Any, ...]]:
-    """Units that are in results, without the group."""
-    columns = [name for name in UNIT if name != "group"]
+    """Units that are in results."""
+    columns = list(UNIT)
     rows = table.select(columns).group_by(columns).aggregate([])
     return set(zip(*(rows.column(name).to_pylist() for name in columns)))
 

@@ -89,7 +89,7 @@ class Worker:
         late: dict[tuple[str, str, str], int] = {}
         for unit in block.units:
             asked = [(e.configuration, ratio) for e in self._engines for ratio in block.ratios]
-            missing = [a for a in asked if self._is_wanted(*a, unit, late)]
+            missing = [a for a in asked if self._is_wanted(*a, block.family.group, unit, late)]
             if not missing or time.monotonic() > self._bounds.until:
                 continue
             case = case_of(block.family, unit)
@@ -121,6 +121,7 @@ class Worker:
         self,
         of: Configuration,
         ratio: float | None,
+        group: str,
         unit: Unit,
         late: dict[tuple[str, str, str], int],
     ) -> bool:
@@ -136,7 +137,7 @@ class Worker:
         seeds = self._bounds.slow_seeds // (1 if ratio is None else _FEWER_SWEPT)
         if is_slow and unit.seed - self._bounds.first_seed >= seeds:
             return False
-        return (*key, *asdict(unit).values(), ratio) not in self._done
+        return (*key, group, *asdict(unit).values(), ratio) not in self._done
 
     def _note(
         self,
