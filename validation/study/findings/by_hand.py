@@ -13,7 +13,7 @@ import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cmp_to_key
+from functools import cmp_to_key, partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -77,7 +77,7 @@ def areas(edges: Iterable[Segment]) -> tuple[Fraction, ...]:
         around.setdefault(a, []).append(b)
         around.setdefault(b, []).append(a)
     for p, ends in around.items():
-        ends.sort(key=cmp_to_key(lambda a, b, p=p: _turns(p, a, b)))
+        ends.sort(key=cmp_to_key(partial(_turns, p)))
     left = {(a, b) for a, ends in around.items() for b in ends}
     found = []
     while left:
