@@ -33,7 +33,7 @@ from study import families
 from study.engines import Adapter, Configuration, listing
 from study.families import Family, Unit, case_of
 from study.outcomes import edges_of
-from study.words import SILENT
+from study.words import RINGS, SILENT
 
 _HERE = Path(__file__).resolve().parent
 _ADAPTERS = _HERE.parent / "adapters"
@@ -55,6 +55,7 @@ def candidates(results: Path, engine: str) -> list[Row]:
         row
         for row in wrong
         if row["truth"] == "doubles"
+        and row["group"] != RINGS  # which are no line work
         and row["fits_doubles"]
         and row["segments"] <= _MOST_SEGMENTS
         and (row["tolerance_kind"] == "none" or _drawing(row) in broken)
