@@ -75,11 +75,7 @@ class RingWorker(Worker):
         late: dict[tuple[str, str, str], int] = {}
         fit = [e for e in self._engines if block.family.takes in e.configuration.takes]
         for unit in block.units:
-            missing = [
-                e
-                for e in fit
-                if self._is_wanted(e.configuration, None, block.family.group, unit, late)
-            ]
+            missing = [e for e in fit if self._is_wanted(e.configuration, None, RINGS, unit, late)]
             if not missing or time.monotonic() > self._bounds.until:
                 continue
             case = ring_case_of(block.family, unit)
