@@ -97,7 +97,7 @@ def compare_result(
     >>> bool(plumbline.compare_result((V, EV), drawing))
     True
     >>> [f.disagreement for f in plumbline.compare_result((V, EV[1:]), drawing).findings]
-    ['missing', 'missing']
+    ['missing']
     """
     within = nearest_size("the tolerance", tolerance)
     ensure_same_crs(result, drawing)

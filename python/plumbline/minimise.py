@@ -210,7 +210,7 @@ def minimise(
     >>> m.kind, len(m.lines), m.segments_before
     ('edge missing', 1, 21)
     >>> print(m.to_lines(), end="")
-    0,0,8,0
+    0,0,10,0
     """
     within, threads_wanted = _tolerance(tolerance), threads_of(threads)
     most = count(max_runs, "max_runs")

@@ -91,6 +91,6 @@ def test_a_program_is_minimised_by_its_path_and_by_its_name(found: Path) -> None
     rows = [*CROSSED, *((x, 9, x + 1, 9) for x in range(0, 12, 2))]
     for engine in (FAKE, "found"):
         m = plumbline.minimise(rows, engine)
-        assert (m.outcome, len(m.lines), m.segments_before) == ("topology", 2, 8)
+        assert (m.outcome, len(m.lines), m.segments_before) == ("invalid", 2, 8)
     failed = plumbline.minimise(rows, FAKE, configuration="throws")
     assert (failed.outcome, len(failed.lines)) == ("loud", 1)
