@@ -101,10 +101,10 @@ class Parser {
         std::from_chars(text_.data() + at_, text_.data() + text_.size(), bound);
     if (error != std::errc()) fail("count is compared with a number: count >= 2");
     at_ = static_cast<std::size_t>(end - text_.data());
-    return compared(std::move(number), sign, bound, start);
+    return compared(number, sign, bound, start);
   }
 
-  Predicate compared(Number n, std::string_view sign, std::size_t bound, std::size_t start) {
+  Predicate compared(const Number& n, std::string_view sign, std::size_t bound, std::size_t start) {
     if (sign == "<") return [n, bound](const auto& m) { return n(m) < bound; };
     if (sign == "<=") return [n, bound](const auto& m) { return n(m) <= bound; };
     if (sign == "=" || sign == "==") return [n, bound](const auto& m) { return n(m) == bound; };
@@ -126,8 +126,9 @@ class Parser {
     }
     const std::size_t start = at_;
     while (at_ < text_.size() && is_of_name(text_[at_])) ++at_;
-    if (at_ == start)
+    if (at_ == start) {
       fail(at_ == text_.size() ? "a name is missing at the end" : "a name is missing");
+    }
     return std::string(text_.substr(start, at_ - start));
   }
 

@@ -62,7 +62,7 @@ Membership::Membership(const LabelledComplex& labelled)
 void Membership::apply(std::span<const WindingChange> changes, int sign) {
   for (const auto& [region, by] : changes) {
     const bool was = contains(region);
-    winding_[region] += sign * by;
+    winding_[region] += std::int64_t{sign} * by;
     const bool is = contains(region);
     if (was == is) continue;
     const std::size_t step = is ? 1 : std::size_t(-1);
