@@ -93,4 +93,4 @@ def test_a_program_is_minimised_by_its_path_and_by_its_name(found: Path) -> None
         m = plumbline.minimise(rows, engine)
         assert (m.outcome, len(m.lines), m.segments_before) == ("invalid", 2, 8)
     failed = plumbline.minimise(rows, FAKE, configuration="throws")
-    assert (failed.outcome, len(failed.lines)) == ("loud", 1)
+    assert (failed.outcome, len(failed.lines)) == ("loud", 2)
