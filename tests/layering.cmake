@@ -49,14 +49,14 @@ room(engines/programs error number read engine engines/files)
 room(engines/lar/explain error geometry arrange engine engines/lar/stages)
 room(engines/inters/explain error geometry engine engines/lar/stages engines/inters/stages engines/lar/explain)
 room(engines/plasm/explain error geometry engine engines/plasm/stages engines/lar/explain)
-room(output error number geometry structure complex rooms polygons chains round features diagnose edits check minimise)
+room(output error number geometry structure complex rooms polygons chains round features diagnose edits check minimise regions)
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error geometry read chains arrange round edits check output engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs)
 room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings regions diagnose edits repair engine check minimise
      engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs output engines/lar/show engines/inters/show
      pipeline)
-room(cli error geometry detail read arrange round repair engine minimise engines/files engines/programs output engines/lar/show pipeline plumbline)
+room(cli error geometry detail read arrange round repair engine minimise regions engines/files engines/programs output engines/lar/show pipeline plumbline)
 room(checker)
 
 # The room of a header in include/plumbline/, if it is not that of its name.

@@ -64,6 +64,9 @@ expect "of LAR's module as published" 0 '^$' summary_fits lar "$data/dwelling.sv
 expect "of an engine without a radius" 0 '^$' summary_fits check "$data/rooms.geojson" --against "$data/rooms.wkt"
 expect "of a minimised drawing" 0 '^$' summary_fits minimise "$data/office-plan.svg" --set radius=2
 expect "of one with which the engine is right" 0 '^$' summary_fits minimise "$data/dwelling.svg"
+printf 'POLYGON ((0 0,2 0,2 2,0 2,0 0))\nLINESTRING (7 0,8 0)\n' >first.wkt
+expect "of an overlay" 0 '^$' summary_fits overlay first.wkt "$data/rooms.geojson" --how union
+expect "of a selection" 0 '^$' summary_fits select "$data/flat.dxf" 'WALLS - FURNITURE'
 expect "of nothing" 0 '^$' summary_fits info empty.lines --lenient
 expect "of files that are written" 0 '^$' summary_fits arrange "$data/dwelling.svg" -o plan.json
 expect "of a structure" 0 '^$' summary_fits eval "$data/dwelling.svg"

@@ -72,6 +72,10 @@ FeatureLayer room_layer(const Rooms& rooms, const Rounding& rounding);
 /// Requires: a rounding of the overlay's complex.
 FeatureLayer piece_layer(const Overlay& overlay, const Rounding& rounding);
 
+/// The polygons of selected regions. Columns: `polygon`, its number from 1, `area` and `area_exact`
+/// of it (of its own part where rounding parted it). Requires: a rounding of their complex.
+FeatureLayer region_layer(const RegionPolygons& regions, const Rounding& rounding);
+
 /// "nearest doubles, the same incidences as the exact complex, proven".
 std::string note_of(const Rounding& rounding);
 

@@ -38,7 +38,8 @@ struct Overlay {
   std::size_t first_count = 0;  ///< how many are of the first
   /// Faces are parts of pieces, or lie in none; edges know all segments that they lie on.
   ExactComplex complex;
-  std::vector<Piece> pieces;  ///< by their first face
+  std::vector<Piece> pieces;    ///< by their first face
+  std::vector<SegmentId> open;  ///< those of no polygon, ascending
 
   Rational area() const;
 };
@@ -46,7 +47,7 @@ struct Overlay {
 /// Lays the polygons of one drawing over those of another. **Exact**: pieces cover what they
 /// should, point by point, and areas add up to the last digit. Where polygons of one layer overlap,
 /// a piece lies in all of them. Degenerate: what touches in lines or points has no piece. Open
-/// rings, and lines that are no closed ones, are left out: see `skipped`. Cost: as `arrange`, and
+/// rings, and lines that are no closed ones, are left out: see `open`. Cost: as `arrange`, and
 /// O(k log k) for all that the pieces say. Throws: as `arrange`, `label`; Error BadInput where the
 /// systems of coordinates are two.
 Overlay overlay(SegmentSet first, const SegmentSet& second, OverlayHow how,

@@ -56,6 +56,19 @@ enum class RegionKind {
 /// segments that lie there.
 std::vector<Region> regions(const SegmentSet& input, RegionKind kind, FillRule rule);
 
+/// What the layers of a drawing enclose, by their names.
+struct LayerRegions {
+  std::vector<Region> regions;
+  std::vector<SegmentId> open;  ///< what encloses nothing, ascending
+};
+/// The polygons of a drawing, and of each layer the other lines as one region by EvenOdd: those of
+/// them that hang together by their ends, and at each end an even number. The others are open, as
+/// is a text's leader in a layer of walls. Order: polygons first, then by layer. Cost: O(n log n).
+LayerRegions layer_regions(const SegmentSet& input, FillRule rule);
+
+/// The element that a region was read from, as "file:line:column element #id".
+std::string source_text(const Region& region, const SegmentSet& input);
+
 /// How a winding number changes.
 struct WindingChange {
   RegionId region;

@@ -21,6 +21,8 @@ constexpr const char* kDescription =
     "  plumbline info plan.svg\n"
     "  plumbline arrange plan.svg -o plan.json\n"
     "  plumbline rooms plan.dxf -o rooms.geojson --picture rooms.svg\n"
+    "  plumbline overlay parcels.geojson zones.geojson -o pieces.geojson\n"
+    "  plumbline select plan.dxf \"WALLS - DOORS\" -o walls.geojson\n"
     "  plumbline repair plan.dxf -o fixed.dxf --log fixes.json\n"
     "  plumbline check plan.svg --picture check.svg\n"
     "  plumbline check plan.svg --engine geos\n"
@@ -109,6 +111,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   MinimiseArguments minimise;
   InfoArguments info;
   RoomsArguments rooms;
+  OverlayArguments overlay;
+  SelectArguments select;
   RepairArguments repair;
   LarArguments lar;
   EvalArguments eval;
@@ -119,6 +123,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   const std::pair minimise_command(add_command(app, minimise), &minimise);
   const std::pair info_command(add_command(app, info), &info);
   const std::pair rooms_command(add_command(app, rooms), &rooms);
+  const std::pair overlay_command(add_command(app, overlay), &overlay);
+  const std::pair select_command(add_command(app, select), &select);
   const std::pair repair_command(add_command(app, repair), &repair);
   const std::pair lar_command(add_command(app, lar), &lar);
   const std::pair eval_command(add_command(app, eval), &eval);
@@ -142,7 +148,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   if (pages.completion->parsed()) return Notice{completion(app, pages.shell), false};
   if (pages.manual->parsed()) return Notice{manual(app, pages.command), false};
   return called(arrange_command, check_command, minimise_command, info_command, rooms_command,
-                repair_command, lar_command, eval_command, random_command, engines_command);
+                overlay_command, select_command, repair_command, lar_command, eval_command,
+                random_command, engines_command);
 }
 
 }  // namespace plumbline::cli

@@ -13,6 +13,7 @@
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/minimise.hpp"
 #include "plumbline/output.hpp"
+#include "plumbline/overlay.hpp"
 #include "plumbline/pipeline.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/repair.hpp"
@@ -126,6 +127,26 @@ struct RoomsArguments : DrawingArguments {
   std::optional<std::string> report;
 };
 
+struct OverlayArguments : InputArguments {
+  std::string second;  ///< the other layer's file
+  OverlayHow how = OverlayHow::Intersection;
+  FillRule rule = FillRule::EvenOdd;
+  std::size_t threads = 0;            ///< 0: as many as there are cores
+  std::optional<std::size_t> listed;  ///< pieces printed
+  std::optional<std::string> output;
+  std::optional<std::string> format;  ///< of the output
+  std::optional<std::string> picture;
+};
+
+struct SelectArguments : DrawingArguments {
+  std::string expression;
+  FillRule rule = FillRule::EvenOdd;
+  std::optional<std::size_t> listed;  ///< polygons printed
+  std::optional<std::string> output;
+  std::optional<std::string> format;  ///< of the output
+  std::optional<std::string> picture;
+};
+
 struct RepairArguments : InputArguments {
   RepairOptions repair;
   bool dry_run = false;
@@ -192,6 +213,8 @@ ExitCode run(const EnginesArguments& arguments, Report& report, const KnownEngin
 ExitCode run(const MinimiseArguments& arguments, Report& report, const KnownEngines& known);
 ExitCode run(const InfoArguments& arguments, Report& report);
 ExitCode run(const RoomsArguments& arguments, Report& report);
+ExitCode run(const OverlayArguments& arguments, Report& report);
+ExitCode run(const SelectArguments& arguments, Report& report);
 ExitCode run(const RepairArguments& arguments, Report& report);
 ExitCode run(const LarArguments& arguments, Report& report);
 ExitCode run(const EvalArguments& arguments, Report& report);

@@ -16,6 +16,8 @@ CLI::App* add_command(CLI::App& app, CheckArguments& arguments);
 CLI::App* add_command(CLI::App& app, MinimiseArguments& arguments);
 CLI::App* add_command(CLI::App& app, InfoArguments& arguments);
 CLI::App* add_command(CLI::App& app, RoomsArguments& arguments);
+CLI::App* add_command(CLI::App& app, OverlayArguments& arguments);
+CLI::App* add_command(CLI::App& app, SelectArguments& arguments);
 CLI::App* add_command(CLI::App& app, RepairArguments& arguments);
 CLI::App* add_command(CLI::App& app, LarArguments& arguments);
 CLI::App* add_command(CLI::App& app, EvalArguments& arguments);

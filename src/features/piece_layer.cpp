@@ -22,19 +22,13 @@ class Elements {
   std::string of(std::span<const RegionId> regions) {
     std::string text;
     for (const RegionId r : regions) {
-      if (texts_[r].empty()) texts_[r] = element(overlay_.regions[r]);
+      if (texts_[r].empty()) texts_[r] = source_text(overlay_.regions[r], overlay_.input);
       (text += text.empty() ? "" : "; ") += texts_[r];
     }
     return text;
   }
 
  private:
-  std::string element(const Region& region) const {
-    if (region.segments.empty()) return "?";
-    const SegmentSet& input = overlay_.input;
-    return to_text(input.sources[input.segment_source[region.segments.front()]], input.files);
-  }
-
   const Overlay& overlay_;
   std::vector<std::string> texts_;
 };

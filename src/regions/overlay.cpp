@@ -83,6 +83,18 @@ std::vector<Piece> pieces_of(const JoinedComplex& made, const Lists<RegionId>& s
   return result;
 }
 
+std::vector<SegmentId> of_none(const std::vector<Region>& regions, std::size_t segments) {
+  std::vector<bool> is_taken(segments);
+  for (const Region& region : regions) {
+    for (const SegmentId s : region.segments) is_taken[s] = true;
+  }
+  std::vector<SegmentId> result;
+  for (std::size_t s = 0; s < segments; ++s) {
+    if (!is_taken[s]) result.emplace_back(s);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string to_text(OverlayHow how) {
@@ -112,6 +124,7 @@ Overlay overlay(SegmentSet first, const SegmentSet& second, OverlayHow how, Fill
   result.first_count = regions(first, RegionKind::Polygon, rule).size();
   result.input = together(std::move(first), second);
   result.regions = regions(result.input, RegionKind::Polygon, rule);
+  result.open = of_none(result.regions, result.input.segments.size());
   ArrangeOptions options;
   options.threads = threads;
   const ExactComplex complex = arrange(result.input, ExactEngine::Bucket, options);

@@ -42,7 +42,7 @@ std::vector<Region> polygon_regions(const SegmentSet& input, FillRule rule) {
   return result;
 }
 
-std::vector<Region> layer_regions(const SegmentSet& input, FillRule rule) {
+std::vector<Region> whole_layers(const SegmentSet& input, FillRule rule) {
   std::map<std::string, std::vector<SegmentId>> of_layers;
   for (std::size_t s = 0; s < input.segments.size(); ++s) {
     of_layers[input.sources[input.segment_source[s]].layer].emplace_back(s);
@@ -57,7 +57,12 @@ std::vector<Region> layer_regions(const SegmentSet& input, FillRule rule) {
 }  // namespace
 
 std::vector<Region> regions(const SegmentSet& input, RegionKind kind, FillRule rule) {
-  return kind == RegionKind::Polygon ? polygon_regions(input, rule) : layer_regions(input, rule);
+  return kind == RegionKind::Polygon ? polygon_regions(input, rule) : whole_layers(input, rule);
+}
+
+std::string source_text(const Region& region, const SegmentSet& input) {
+  if (region.segments.empty()) return "?";
+  return to_text(input.sources[input.segment_source[region.segments.front()]], input.files);
 }
 
 }  // namespace plumbline

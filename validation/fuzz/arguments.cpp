@@ -79,6 +79,11 @@ void check_command(const cli::LarArguments& arguments) {
 }
 void check_command(const cli::EvalArguments& arguments) { check_input(arguments); }
 void check_command(const cli::RoomsArguments& arguments) { check_input(arguments); }
+void check_command(const cli::OverlayArguments& arguments) {
+  check_input(arguments);
+  if (arguments.second.empty()) fail("one layer");
+}
+void check_command(const cli::SelectArguments& arguments) { check_input(arguments); }
 void check_command(const cli::RepairArguments& arguments) {
   check_input(arguments);
   const RepairOptions& repair = arguments.repair;

@@ -116,4 +116,22 @@ std::string face_path(const ExactComplex& complex, FaceId f, const Frame& frame)
   return path_of(complex, f, frame);
 }
 
+std::string edge_paths(const ExactComplex& complex, const Frame& frame, double pen) {
+  constexpr std::size_t kPieces = 5000;  // edges of a path
+  std::string text;
+  for (std::size_t first = 0; first < complex.edge_count(); first += kPieces) {
+    text += fmt::format(
+        "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
+        "stroke-linecap=\"round\" d=\"",
+        kInk, shortest_text(pen));
+    for (std::size_t e = first; e < std::min(first + kPieces, complex.edge_count()); ++e) {
+      const auto [tail, head] = complex.edges[e];
+      text += fmt::format("M{}L{}", coordinates(frame(complex.vertices.nearest(tail))),
+                          coordinates(frame(complex.vertices.nearest(head))));
+    }
+    text += "\"/>\n";
+  }
+  return text;
+}
+
 }  // namespace plumbline::svg

@@ -27,4 +27,7 @@ std::string panel(const FloatComplex& complex, const Frame& frame, double pen,
 /// complex in one piece.
 std::string face_path(const ExactComplex& complex, FaceId f, const Frame& frame);
 
+/// All edges as thin lines, some thousands to a path: viewers choke on very long ones.
+std::string edge_paths(const ExactComplex& complex, const Frame& frame, double pen);
+
 }  // namespace plumbline::svg

@@ -159,24 +159,6 @@ std::string scale_bar(const Rooms& rooms, double scale, double left, double y) {
                    shortest_text(length) + (rooms.unit ? " m" : " drawing units"));
 }
 
-std::string lines_of(const ExactComplex& complex, const svg::Frame& frame, double pen) {
-  constexpr std::size_t kPieces = 5000;  // edges of a path: viewers choke on very long ones
-  std::string text;
-  for (std::size_t first = 0; first < complex.edge_count(); first += kPieces) {
-    text += fmt::format(
-        "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
-        "stroke-linecap=\"round\" d=\"",
-        svg::kInk, shortest_text(pen));
-    for (std::size_t e = first; e < std::min(first + kPieces, complex.edge_count()); ++e) {
-      const auto [tail, head] = complex.edges[e];
-      text += fmt::format("M{}L{}", svg::coordinates(frame(complex.vertices.nearest(tail))),
-                          svg::coordinates(frame(complex.vertices.nearest(head))));
-    }
-    text += "\"/>\n";
-  }
-  return text;
-}
-
 /// Where the plan is drawn.
 struct Plan {
   svg::Box panel;
@@ -195,7 +177,7 @@ Plan placed(const SegmentSet& input, const ExactComplex& complex, double top) {
 
 std::string plan_with_words(const Rooms& rooms, const ExactComplex& complex, const Plan& plan) {
   std::string text = fills(rooms, complex, plan.frame);
-  text += lines_of(complex, plan.frame, svg::sheet::pen(plan.panel, complex.edge_count()));
+  text += svg::edge_paths(complex, plan.frame, svg::sheet::pen(plan.panel, complex.edge_count()));
   text += "<g text-anchor=\"middle\" pointer-events=\"none\">\n";
   for (std::size_t r = 0; r < rooms.rooms.size(); ++r) text += words_in(rooms, r, plan.frame);
   return text + "</g>\n" +
