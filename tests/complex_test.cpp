@@ -1,5 +1,6 @@
 #include "plumbline/complex.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "plumbline/arrange.hpp"
@@ -66,6 +67,29 @@ TEST_CASE("areas are exact, holes subtracted") {
   CHECK(areas[0] == 0);
   CHECK(areas[1] == Rational(971, 12));
   CHECK(areas[2] == Rational(1, 12));
+}
+
+TEST_CASE("areas are as many square units in units as in thirds, in 2^50 of them and beyond") {
+  // Pairs of overlapping squares, whose corners and crossings lie on a grid, off it, and too far.
+  for (const std::string scale : {"1", "1/3", "1073741824", "1125899906842624", "1/7919"}) {
+    const Rational s = parse_decimal(scale);
+    SegmentSet drawing;
+    const SourceId source = drawing.add_source({});
+    for (const auto& [ax, ay, bx, by] : {std::array{0, 0, 6, 0},
+                                         {6, 0, 6, 6},
+                                         {6, 6, 0, 6},
+                                         {0, 6, 0, 0},
+                                         {3, 1, 9, 2},
+                                         {9, 2, 8, 8},
+                                         {8, 8, 3, 1}}) {
+      drawing.add(Segment{{ax * s, ay * s}, {bx * s, by * s}}, source);
+    }
+    Rational sum = 0;
+    for (const Rational& area : face_areas(arrange(drawing))) sum += area;
+    // By the shoelace formula 36 and 37/2, less (3 1, 6 3/2, 6 26/5), which both have, once.
+    CAPTURE(scale);
+    CHECK(sum == (36 + Rational(37, 2) - Rational(111, 20)) * s * s);
+  }
 }
 
 TEST_CASE("the boundary of a boundary is empty, antennas cancel") {

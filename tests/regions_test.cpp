@@ -270,6 +270,43 @@ TEST_CASE("the set of a face is the same number by whichever way it is reached")
   CHECK(keys.size() > 5);
 }
 
+TEST_CASE("a layer has its polygons, and what its other lines close") {
+  SegmentSet input;
+  const auto add = [&](const std::string& layer, const Corners& corners, bool is_closed) {
+    Source source;
+    source.layer = layer;
+    const SourceId id = input.add_source(source);
+    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < corners.size(); ++i) {
+      const auto& [ax, ay] = corners[i];
+      const auto& [bx, by] = corners[(i + 1) % corners.size()];
+      input.add(Segment{{ax, ay}, {bx, by}}, id);
+    }
+  };
+  const Corners outer{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, inner{{3, 3}, {6, 3}, {6, 6}, {3, 6}};
+  input.rings.push_back({0, 4, RingRole::Polygon});
+  add("polygons", outer, true);
+  add("walls", outer, true);
+  add("walls", inner, true);
+  add("walls", {{20, 0}, {30, 0}, {30, 5}}, false);
+  add("walls", {{9, 9}, {6, 6}}, false);  // makes of the frame a line work with odd ends
+  add("beams", {{40, 0}, {50, 0}, {40, 1}}, true);
+  const LayerRegions found = layer_regions(input, FillRule::NonZero);
+  REQUIRE(found.regions.size() == 2);
+  CHECK(found.regions[0].name == "polygons");
+  CHECK(found.regions[0].rule == FillRule::NonZero);
+  CHECK(found.regions[1].name == "beams");
+  CHECK(found.open.size() == 4 + 4 + 2 + 1);
+  input.segments.truncate(14);  // without the line that joins outer and inner
+  const LayerRegions frame = layer_regions(input, FillRule::NonZero);
+  REQUIRE(frame.regions.size() == 2);
+  CHECK(frame.regions[1].name == "walls");
+  CHECK(frame.open == std::vector{SegmentId(12), SegmentId(13)});
+  const ExactComplex complex = arrange(input);
+  const LabelledComplex labelled = label(input, complex, frame.regions);
+  CHECK(area(complex, select(labelled, "walls")) == 81 - 9);
+  CHECK(area(complex, select(labelled, "polygons - walls")) == 9);
+}
+
 TEST_CASE("what is no region and no expression is said with its place") {
   Drawing drawing;
   drawing.square("A-WALL", 0, 0, 2);

@@ -1,7 +1,9 @@
 // A sum of fractions is taken half by half and brought to lowest terms once: so numbers stay as
 // short as they can, and few greatest common divisors are needed.
 
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "number/wide.hpp"
 #include "plumbline/complex.hpp"
@@ -32,7 +34,41 @@ Fraction twice_area(std::span<const LongPoint> chain) {
   return {a.n * b.d + b.n * a.d, a.d * b.d};
 }
 
+/// A point of integers of 50 bits.
+struct GridPoint {
+  wide::Int128 x, y;
+};
+
+std::optional<GridPoint> grid_point(const WidePoint* p) {
+  constexpr wide::Int128 kMost = wide::Int128{1} << 50;
+  if (p == nullptr) return {};
+  GridPoint result{p->x, p->y};
+  if (p->w != 1) {
+    if (p->x % p->w != 0 || p->y % p->w != 0) return {};
+    result = {p->x / p->w, p->y / p->w};
+  }
+  const auto is_small = [](wide::Int128 v) { return v <= kMost && v >= -kMost; };
+  if (!is_small(result.x) || !is_small(result.y)) return {};
+  return result;
+}
+
+/// The signed area of a cycle of such points, whose sums 127 bits hold.
+std::optional<Rational> grid_area(const ExactComplex& complex, std::span<const HalfedgeId> cycle) {
+  constexpr std::size_t kMostPoints = 1U << 20;
+  if (cycle.size() > kMostPoints) return {};
+  auto p = grid_point(complex.vertices.wide(complex.origin(cycle.back())));
+  wide::Int128 twice = 0;
+  for (const HalfedgeId h : cycle) {
+    const auto q = grid_point(complex.vertices.wide(complex.origin(h)));
+    if (!p || !q) return {};
+    twice += p->x * q->y - q->x * p->y;
+    p = q;
+  }
+  return wide::quotient(twice, 2);
+}
+
 Rational area(const ExactComplex& complex, CycleId cycle) {
+  if (auto area = grid_area(complex, complex.cycles[cycle])) return *std::move(area);
   std::vector<LongPoint> chain;
   chain.reserve(complex.cycles[cycle].size() + 1);
   for (const HalfedgeId h : complex.cycles[cycle]) {

@@ -28,13 +28,19 @@ Renumbering<Id> renumbering(std::vector<Id> old_of_new) {
   return order;
 }
 
-/// Equal ones keep their order.
+/// Equal ones keep their order. What is made of a canonical complex is mostly in order.
+template <class T, class Less>
+void sort_if_needed(std::vector<T>& things, Less less) {
+  if (std::is_sorted(things.begin(), things.end(), less)) return;
+  std::stable_sort(things.begin(), things.end(), less);
+}
+
 template <class Id, class Less>
 Renumbering<Id> sorted_by(std::size_t count, Less less) {
   std::vector<Id> ids;
   ids.reserve(count);
   for (std::size_t i = 0; i < count; ++i) ids.emplace_back(i);
-  std::stable_sort(ids.begin(), ids.end(), less);
+  sort_if_needed(ids, less);
   return renumbering(std::move(ids));
 }
 
@@ -187,7 +193,7 @@ Renumbering<VertexId> sorted_vertices(const Points& points) {
   for (std::size_t v = 0; v < points.size(); ++v) {
     keys.push_back({rounded(points, v).x, VertexId(v)});
   }
-  std::stable_sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+  sort_if_needed(keys, [&](const Key& a, const Key& b) {
     return a.x != b.x ? a.x < b.x : compare(points, a.v, b.v) < 0;
   });
   std::vector<VertexId> ids;

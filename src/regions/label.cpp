@@ -1,7 +1,8 @@
 // Winding numbers from the unbounded face inwards, over edges.
 
 #include <algorithm>
-#include <tuple>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,21 +14,23 @@ namespace {
 
 /// Per segment the regions that it belongs to, once for each time.
 Lists<RegionId> regions_of_segments(const std::vector<Region>& regions, std::size_t segments) {
-  std::vector<std::pair<SegmentId, RegionId>> pairs;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    for (const SegmentId s : regions[r].segments) {
+  std::vector<std::size_t> end(segments + 1);
+  for (const Region& region : regions) {
+    for (const SegmentId s : region.segments) {
       ensure(s < segments, "a region has segments of the drawing");
-      pairs.emplace_back(s, RegionId(r));
+      ++end[s + std::size_t{1}];
     }
   }
-  std::sort(pairs.begin(), pairs.end());
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<RegionId> of(end.back());
+  std::vector<std::size_t> next(end.begin(), end.end() - 1);
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    for (const SegmentId s : regions[r].segments) of[next[s]++] = RegionId(r);
+  }
   Lists<RegionId> result;
-  std::vector<RegionId> of;
-  std::size_t i = 0;
+  result.reserve(segments, of.size());
   for (std::size_t s = 0; s < segments; ++s) {
-    of.clear();
-    for (; i < pairs.size() && pairs[i].first == s; ++i) of.push_back(pairs[i].second);
-    result.push_back(of);
+    result.push_back(std::span(of).subspan(end[s], end[s + 1] - end[s]));
   }
   return result;
 }
@@ -72,30 +75,50 @@ Lists<WindingChange> changes_of_edges(const SegmentSet& input, const ExactComple
   return result;
 }
 
-/// Throws where a region begins and ends in other points.
-void ensure_closed(const ExactComplex& complex, const std::vector<Region>& regions,
-                   const Lists<WindingChange>& of_edges) {
-  std::vector<std::tuple<RegionId, VertexId, std::int32_t>> ends;
+/// By how much winding numbers change around each vertex, edge by edge.
+Lists<WindingChange> changes_of_vertices(const ExactComplex& complex,
+                                         const Lists<WindingChange>& of_edges) {
+  std::vector<std::size_t> end(complex.vertices.size() + 1);
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    for (const VertexId v : {complex.edges[e].tail, complex.edges[e].head}) {
+      end[v + std::size_t{1}] += of_edges[e].size();
+    }
+  }
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<WindingChange> changes(end.back());
+  std::vector<std::size_t> next(end.begin(), end.end() - 1);
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     for (const auto& [region, by] : of_edges[e]) {
-      ends.emplace_back(region, complex.edges[e].head, by);
-      ends.emplace_back(region, complex.edges[e].tail, -by);
+      changes[next[complex.edges[e].head]++] = {region, by};
+      changes[next[complex.edges[e].tail]++] = {region, -by};
     }
   }
-  std::sort(ends.begin(), ends.end());
-  for (std::size_t i = 0; i < ends.size();) {
-    const auto [region, vertex, first] = ends[i];
-    std::int64_t sum = first;
-    for (++i; i < ends.size() && std::get<0>(ends[i]) == region && std::get<1>(ends[i]) == vertex;
-         ++i) {
-      sum += std::get<2>(ends[i]);
-    }
-    const bool is_closed = regions[region].rule == FillRule::EvenOdd ? sum % 2 == 0 : sum == 0;
-    if (is_closed) continue;
-    throw Error(ErrorCode::BadInput,
-                "a region is not closed at (" + to_text(complex.vertices[vertex]) + ")", {},
-                regions[region].name);
+  Lists<WindingChange> result;
+  result.reserve(complex.vertices.size(), changes.size());
+  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
+    result.push_back(std::span(changes).subspan(end[v], end[v + 1] - end[v]));
   }
+  return result;
+}
+
+/// Throws where a region begins and ends in other points: of the first region, at the first.
+void ensure_closed(const ExactComplex& complex, const std::vector<Region>& regions,
+                   const Lists<WindingChange>& of_edges) {
+  const Lists<WindingChange> of_vertices = changes_of_vertices(complex, of_edges);
+  std::pair<RegionId, VertexId> open;
+  std::vector<WindingChange> changes;
+  for (std::size_t v = 0; v < of_vertices.size(); ++v) {
+    changes.assign(of_vertices[v].begin(), of_vertices[v].end());
+    simplify(changes);
+    for (const auto& [region, by] : changes) {
+      if (regions[region].rule == FillRule::EvenOdd && by % 2 == 0) continue;
+      if (!open.first.valid() || region < open.first) open = {region, VertexId(v)};
+    }
+  }
+  if (!open.first.valid()) return;
+  throw Error(ErrorCode::BadInput,
+              "a region is not closed at (" + to_text(complex.vertices[open.second]) + ")", {},
+              regions[open.first].name);
 }
 
 /// Makes `order`, `from` and `changes`: neighbours of faces, breadth first.
