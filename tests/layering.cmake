@@ -41,6 +41,7 @@ room(engine error number complex arrange compare)
 room(check error geometry arrange compare ladder engine)
 room(minimise error arrange round check)
 room(file error detail)
+room(tiles error detail number geometry structure read complex arrange)
 room(engines/lar/stages error geometry complex chains)
 room(engines/inters/stages error number geometry engines/lar/stages)
 room(engines/plasm/stages error geometry complex engines/lar/stages)
@@ -56,7 +57,7 @@ room(pipeline error geometry read chains arrange round edits check output engine
 room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings regions diagnose edits repair engine check minimise
      engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs output engines/lar/show engines/inters/show
      pipeline)
-room(cli error geometry detail read arrange round repair engine minimise regions engines/files engines/programs output engines/lar/show pipeline plumbline)
+room(cli error geometry detail read arrange round repair engine minimise regions tiles engines/files engines/programs output engines/lar/show pipeline plumbline)
 room(checker)
 
 # The room of a header in include/plumbline/, if it is not that of its name.

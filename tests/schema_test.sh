@@ -67,6 +67,7 @@ expect "of one with which the engine is right" 0 '^$' summary_fits minimise "$da
 printf 'POLYGON ((0 0,2 0,2 2,0 2,0 0))\nLINESTRING (7 0,8 0)\n' >first.wkt
 expect "of an overlay" 0 '^$' summary_fits overlay first.wkt "$data/rooms.geojson" --how union
 expect "of a selection" 0 '^$' summary_fits select "$data/flat.dxf" 'WALLS - FURNITURE'
+expect "of a drawing in tiles" 0 '^$' fits summary arrange "$data/dwelling.svg" --tiles 3 --json
 expect "of nothing" 0 '^$' summary_fits info empty.lines --lenient
 expect "of files that are written" 0 '^$' summary_fits arrange "$data/dwelling.svg" -o plan.json
 expect "of a structure" 0 '^$' summary_fits eval "$data/dwelling.svg"

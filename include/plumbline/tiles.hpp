@@ -121,7 +121,7 @@ struct CutThroughVertex {
 /// The arrangement within a strip. `segments` are those that meet it, `numbers` their numbers in
 /// the whole drawing, ascending. **Exact**. Degenerate: an empty strip is one face. Throws:
 /// CutThroughVertex where a vertex lies on a cut, or a segment runs along it; as `arrange`.
-StripPart strip_part(const SegmentSet& segments, std::span<const std::uint64_t> numbers,
+StripPart strip_part(SegmentSet segments, std::span<const std::uint64_t> numbers,
                      const Strip& strip, const Bounds& bounds, std::size_t threads = 1);
 
 /// What strips from left to right are together. Cost: O(n log n) for all that crosses cuts.

@@ -118,6 +118,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   EvalArguments eval;
   RandomArguments random;
   EnginesArguments engines;
+  TileArguments tile;
   const std::pair arrange_command(add_command(app, arrange), &arrange);
   const std::pair check_command(add_command(app, check), &check);
   const std::pair minimise_command(add_command(app, minimise), &minimise);
@@ -130,6 +131,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   const std::pair eval_command(add_command(app, eval), &eval);
   const std::pair random_command(add_command(app, random), &random);
   const std::pair engines_command(add_command(app, engines), &engines);
+  const std::pair tile_command(add_command(app, tile), &tile);
   const MadePages pages(app);
   app.set_version_flag("-V,--version", "plumbline " PLUMBLINE_VERSION, "Tell the version");
   app.footer(kExitCodes);
@@ -149,7 +151,7 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   if (pages.manual->parsed()) return Notice{manual(app, pages.command), false};
   return called(arrange_command, check_command, minimise_command, info_command, rooms_command,
                 overlay_command, select_command, repair_command, lar_command, eval_command,
-                random_command, engines_command);
+                random_command, engines_command, tile_command);
 }
 
 }  // namespace plumbline::cli

@@ -9,6 +9,7 @@
 #include "cli/report.hpp"
 #include "plumbline/error.hpp"
 #include "plumbline/output.hpp"
+#include "plumbline/tiles.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -87,6 +88,7 @@ void check_options(const ArrangeArguments& arguments, std::string_view format) {
 }  // namespace
 
 ExitCode run(const ArrangeArguments& arguments, Report& report) {
+  if (arguments.tiles > 0) return run_in_tiles(arguments, report);
   const Output output = output_of(arguments);
   if (check_outputs(arguments.file, {output, {arguments.certificate, {"certificate"}}})) {
     report.leave_standard_output();
@@ -100,6 +102,7 @@ ExitCode run(const ArrangeArguments& arguments, Report& report) {
   set_input(report, drawing.input);
   set_counts(report, counted);
   report.set("signature", signed_as);
+  report.set("signature2", tiles::to_text(tiles::signature2(drawing.complex)));
   report.print("{}\n", counts_line(counted));
   report.print("{}\n{}", input_line(drawing.input), rejected_lines(drawing.input));
   report.print("{}\nsignature {}\n", exactness_line(drawing.input), signed_as);

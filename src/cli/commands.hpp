@@ -24,6 +24,10 @@ namespace plumbline::cli {
 /// Exit codes of every command.
 enum ExitCode { kAgree = 0, kDisagree = 1, kBadInput = 2, kInternal = 3 };
 
+/// That of a process that can't arrange a tile since a vertex lies on its left cut; one more: on
+/// its right cut.
+inline constexpr int kCutThroughVertex = 10;
+
 /// When to give up.
 struct Limits {
   std::optional<std::uint64_t> bytes;  ///< of memory
@@ -76,6 +80,8 @@ struct ArrangeArguments : DrawingArguments {
   bool safe = false;               ///< prove that what is written, rounded, is a valid complex
   std::vector<std::string> cells;  ///< of features; none: edges of DXF, else faces
   Grid grid;
+  std::size_t tiles = 0;    ///< arranged one by one in files, where the output is a folder; 0: none
+  std::size_t workers = 0;  ///< processes that arrange tiles; 0: as many as there are cores
 };
 
 struct CheckArguments : DrawingArguments {
@@ -187,7 +193,14 @@ inline bool is_preset(std::string_view radius) {
   return std::ranges::find(kRadiusPresets, radius) != kRadiusPresets.end();
 }
 
+inline constexpr std::size_t kMostTiles = 100'000, kMostWorkers = 1024;
 inline constexpr std::size_t kMostRandomSegments = 10'000'000;
+
+/// What a process does that arranges a tile for another one.
+struct TileArguments : CommonArguments {
+  std::string folder;
+  std::uint64_t tile = 0;
+};
 
 struct EnginesArguments : CommonArguments {};
 
@@ -218,6 +231,9 @@ ExitCode run(const SelectArguments& arguments, Report& report);
 ExitCode run(const RepairArguments& arguments, Report& report);
 ExitCode run(const LarArguments& arguments, Report& report);
 ExitCode run(const EvalArguments& arguments, Report& report);
+ExitCode run(const TileArguments& arguments, Report& report);
+/// `arrange` in tiles.
+ExitCode run_in_tiles(const ArrangeArguments& arguments, Report& report);
 ExitCode run(const RandomArguments& arguments, Report& report);
 
 }  // namespace plumbline::cli

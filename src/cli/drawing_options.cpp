@@ -248,9 +248,11 @@ CLI::App* add_command(CLI::App& app, ArrangeArguments& arguments) {
       "Examples: plumbline arrange plan.svg -o plan.json\n"
       "          plumbline arrange plan.svg --safe --decimals 3 -o plan.json\n"
       "          plumbline arrange plan.dxf -o rooms.geojson\n"
-      "          plumbline arrange plan.lines --certify plan.certificate");
+      "          plumbline arrange plan.lines --certify plan.certificate\n"
+      "          plumbline arrange big.lines --tiles 16 --max-memory 2G -o big.tiles");
   add_files(*command, arguments);
   add_complex_outputs(*command, arguments);
+  add_tiles(*command, arguments);
   add_drawing(*command, arguments);
   add_old_engine(*command, arguments);
   return command;

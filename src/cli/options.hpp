@@ -23,6 +23,7 @@ CLI::App* add_command(CLI::App& app, LarArguments& arguments);
 CLI::App* add_command(CLI::App& app, EvalArguments& arguments);
 CLI::App* add_command(CLI::App& app, RandomArguments& arguments);
 CLI::App* add_command(CLI::App& app, EnginesArguments& arguments);
+CLI::App* add_command(CLI::App& app, TileArguments& arguments);
 
 /// The file of an argument: "-" is standard input.
 std::string file_of(const std::string& argument);
@@ -36,6 +37,8 @@ CLI::Option* add_output(CLI::App& command, std::optional<std::string>& output,
                         const std::vector<std::string_view>& formats);
 /// Several drawings.
 void add_files(CLI::App& command, DrawingArguments& arguments);
+/// --tiles and --workers.
+void add_tiles(CLI::App& command, ArrangeArguments& arguments);
 /// How they are arranged and read.
 void add_drawing(CLI::App& command, DrawingArguments& arguments);
 /// The old name of --exact-engine, for commands where it means nothing else.

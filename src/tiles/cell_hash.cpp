@@ -55,8 +55,7 @@ CellHash hash(char kind, std::initializer_list<CellHash> parts) {
     words[count++] = part.low;
     words[count++] = part.high;
   }
-  const XXH128_hash_t made = XXH3_128bits(words.data(), count * sizeof(words[0]));
-  return {made.low64, made.high64};
+  return bytes_hash({reinterpret_cast<const char*>(words.data()), count * sizeof(words[0])});
 }
 
 /// The point's coordinates modulo p.
@@ -95,6 +94,11 @@ CellHash cycle_hash(const CellHash& halfedges) { return hash('c', {halfedges}); 
 CellHash isolated_hash(const CellHash& vertex) { return hash('i', {vertex}); }
 CellHash face_hash(const CellHash& cycles, bool is_bounded) {
   return hash(is_bounded ? 'f' : 'u', {cycles});
+}
+
+CellHash bytes_hash(std::string_view bytes) {
+  const XXH128_hash_t made = XXH3_128bits(bytes.data(), bytes.size());
+  return {made.low64, made.high64};
 }
 
 std::string to_text(const CellHash& hash) {

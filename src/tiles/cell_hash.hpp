@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "plumbline/tiles.hpp"
 
 /// Hashes of cells, by what names them.
@@ -16,5 +18,8 @@ CellHash cycle_hash(const CellHash& halfedges);
 CellHash isolated_hash(const CellHash& vertex);
 /// Of the sum of its cycles and isolated vertices.
 CellHash face_hash(const CellHash& cycles, bool is_bounded);
+
+/// Of any bytes.
+CellHash bytes_hash(std::string_view bytes);
 
 }  // namespace plumbline::tiles

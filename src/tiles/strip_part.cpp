@@ -17,11 +17,11 @@ namespace {
 /// The sides of the frame, as segments behind those of the drawing.
 enum FrameSide : std::uint8_t { kLeftSide, kRightSide, kBottomSide, kTopSide, kNoSide };
 
-SegmentSet framed(const SegmentSet& segments, const Strip& strip, const Bounds& bounds) {
+SegmentSet framed(SegmentSet segments, const Strip& strip, const Bounds& bounds) {
   SegmentSet result;
   const SourceId source = result.add_source({});
-  result.segments = segments.segments;
   result.segment_source.assign(segments.segments.size(), source);
+  result.segments = std::move(segments.segments);
   const Number one = Number::decimal(1, 0);
   const Number left = strip.left.value_or(bounds.left - one),
                right = strip.right.value_or(bounds.right + one);
@@ -308,12 +308,13 @@ class Inside {
 
 }  // namespace
 
-StripPart strip_part(const SegmentSet& segments, std::span<const std::uint64_t> numbers,
+StripPart strip_part(SegmentSet segments, std::span<const std::uint64_t> numbers,
                      const Strip& strip, const Bounds& bounds, std::size_t threads) {
   ensure(numbers.size() == segments.segments.size(), "each segment has a number");
   ArrangeOptions options;
   options.threads = threads;
-  ExactComplex complex = arrange(framed(segments, strip, bounds), ExactEngine::Bucket, options);
+  ExactComplex complex =
+      arrange(framed(std::move(segments), strip, bounds), ExactEngine::Bucket, options);
   return Inside(std::move(complex), numbers, strip).part();
 }
 

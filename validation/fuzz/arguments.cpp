@@ -94,6 +94,7 @@ void check_command(const cli::RepairArguments& arguments) {
   }
 }
 void check_command(const cli::EnginesArguments& arguments) { check_limits(arguments.limits); }
+void check_command(const cli::TileArguments& arguments) { check_limits(arguments.limits); }
 void check_command(const cli::RandomArguments& arguments) {
   check_limits(arguments.limits);
   check_number(arguments.scaling);
