@@ -30,6 +30,7 @@ room(triangulate cgal error chains)
 room(arrange cgal error number geometry complex polygons)
 room(round error geometry complex arrange)
 room(regions error geometry complex polygons arrange)
+room(coverage error rooms regions)
 room(features error polygons rooms round regions)
 room(compare error geometry complex arrange)
 room(ladder error number geometry complex)
@@ -54,7 +55,7 @@ room(output error number geometry structure complex rooms polygons chains round 
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error geometry read chains arrange round edits check output engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs)
-room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings regions diagnose edits repair engine check minimise
+room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings regions coverage diagnose edits repair engine check minimise
      engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs output engines/lar/show engines/inters/show
      pipeline)
 room(cli error geometry detail read arrange round repair engine minimise regions tiles engines/files engines/programs output engines/lar/show pipeline plumbline)

@@ -7,6 +7,7 @@
 #include "plumbline/check.hpp"
 #include "plumbline/compare.hpp"
 #include "plumbline/complex.hpp"
+#include "plumbline/coverage.hpp"
 #include "plumbline/diagnose.hpp"
 #include "plumbline/edits.hpp"
 #include "plumbline/engine.hpp"
