@@ -35,6 +35,7 @@ room(features error polygons rooms round regions)
 room(compare error geometry complex arrange)
 room(ladder error number geometry complex)
 room(rings geometry complex)
+room(validity error arrange regions rings)
 room(diagnose error number geometry complex arrange rings)
 room(edits error geometry complex arrange diagnose)
 room(repair error geometry arrange diagnose edits)
@@ -55,7 +56,7 @@ room(output error number geometry structure complex rooms polygons chains round 
 room(engines/lar/show error complex chains engines/lar/stages output)
 room(engines/inters/show engines/inters/stages output engines/lar/show)
 room(pipeline error geometry read chains arrange round edits check output engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs)
-room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings regions coverage diagnose edits repair engine check minimise
+room(plumbline error number geometry structure read complex polygons rooms arrange round features compare ladder rings regions coverage validity diagnose edits repair engine check minimise
      engines/lar/stages engines/inters/stages engines/plasm/stages engines/files engines/programs output engines/lar/show engines/inters/show
      pipeline)
 room(cli error geometry detail read arrange round repair engine minimise regions tiles engines/files engines/programs output engines/lar/show pipeline plumbline)

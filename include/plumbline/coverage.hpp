@@ -20,9 +20,9 @@ struct Coverage {
   /// they overlap.
   Lists<RegionId> owners;
 };
-/// The polygons of a drawing as `regions` has them: each with its parts and holes; open rings are
-/// none. **Exact**. Requires: the complex is `arrange(input)`. Cost: O(n log n), and what `owners`
-/// holds. Throws: as `label`.
+/// The polygons of a drawing as `regions` has them: each with its parts and holes; open rings, and
+/// what has no length, are none. **Exact**. Requires: the complex is `arrange(input)`. Order: as in
+/// the file. Cost: O(n log n), and what `owners` holds. Throws: as `label`.
 Coverage coverage(const SegmentSet& input, const ExactComplex& complex,
                   FillRule rule = FillRule::EvenOdd);
 

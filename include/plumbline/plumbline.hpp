@@ -37,3 +37,4 @@
 #include "plumbline/rooms.hpp"
 #include "plumbline/round.hpp"
 #include "plumbline/structure.hpp"
+#include "plumbline/validity.hpp"

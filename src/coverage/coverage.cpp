@@ -4,12 +4,32 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "coverage/steps.hpp"
 #include "plumbline/error.hpp"
 
 namespace plumbline {
+namespace {
+
+/// Readers have polygons of one kind and layer together.
+void sort_as_in_file(std::vector<Region>& polygons, const SegmentSet& input) {
+  using Place = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+  std::vector<std::pair<Place, std::size_t>> order;
+  for (std::size_t r = 0; r < polygons.size(); ++r) {
+    if (polygons[r].segments.empty()) continue;
+    const Source source = input.sources[input.segment_source[polygons[r].segments.front()]];
+    order.emplace_back(Place(source.file, source.line, source.column), r);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Region> sorted;
+  for (const auto& [place, r] : order) sorted.push_back(std::move(polygons[r]));
+  polygons = std::move(sorted);
+}
+
+}  // namespace
+
 namespace coverage_steps {
 
 Coverage by_owners(const ExactComplex& complex, const Lists<RegionId>& owners,
@@ -61,7 +81,9 @@ bool Corners::ends_at(SegmentId s, const Point& p) const {
 }  // namespace coverage_steps
 
 Coverage coverage(const SegmentSet& input, const ExactComplex& complex, FillRule rule) {
-  LabelledComplex labelled = label(input, complex, regions(input, RegionKind::Polygon, rule));
+  std::vector<Region> polygons = regions(input, RegionKind::Polygon, rule);
+  sort_as_in_file(polygons, input);
+  LabelledComplex labelled = label(input, complex, std::move(polygons));
   const Lists<RegionId> owners = regions_of_faces(labelled);
   return coverage_steps::by_owners(complex, owners, std::move(labelled.regions));
 }
