@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "plumbline/coverage.hpp"
 #include "plumbline/overlay.hpp"
 #include "plumbline/polygons.hpp"
 #include "plumbline/rooms.hpp"
@@ -75,6 +76,27 @@ FeatureLayer piece_layer(const Overlay& overlay, const Rounding& rounding);
 /// The polygons of selected regions. Columns: `polygon`, its number from 1, `area` and `area_exact`
 /// of it (of its own part where rounding parted it). Requires: a rounding of their complex.
 FeatureLayer region_layer(const RegionPolygons& regions, const Rounding& rounding);
+
+/// The rings of each part of a polygon, as of a Feature. Together they are a valid multipolygon.
+using PolygonParts = std::vector<std::vector<std::vector<PointD>>>;
+
+/// A polygon that was drawn, as it is now.
+struct DrawnPolygon {
+  Source source;
+  PolygonParts parts;        ///< none: nothing is left of it
+  bool is_as_drawn = false;  ///< whether its sides are what they were
+  Rational area = 0;         ///< of all parts, **exact**, before rounding
+};
+/// Those of a coverage, in its order; neighbours share vertices. Requires: the coverage is made of
+/// `input`, the rounding of its complex.
+std::vector<DrawnPolygon> drawn_polygons(const Coverage& coverage, const SegmentSet& input,
+                                         const Rounding& rounding);
+/// The parts of what was made of one polygon. **Rounded**, proven to be valid: `safely_rounded`.
+PolygonParts polygon_parts(const RegionPolygons& made);
+/// A feature for each part. Columns: `polygon`, its number from 1, `id`, `layer`, `source`, the
+/// element that it was drawn as, `area` and `area_exact` of all its parts.
+FeatureLayer polygon_layer(const std::vector<DrawnPolygon>& polygons,
+                           const std::vector<std::string>& files);
 
 /// "nearest doubles, the same incidences as the exact complex, proven".
 std::string note_of(const Rounding& rounding);

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "plumbline/geometry.hpp"
+#include "plumbline/features.hpp"
 
 namespace plumbline {
 
-/// The text of a drawing with some of its elements replaced by straight lines.
+/// The text of a drawing with some of its elements replaced.
 struct Patch {
   std::string text;
   std::vector<Source> replaced;  ///< the elements, in the file's order
@@ -30,5 +30,13 @@ std::optional<Patch> patched_dxf(std::string_view text, const SegmentSet& input,
 /// its element, and what stood within that; it is not filled.
 std::optional<Patch> patched_svg(std::string_view text, const SegmentSet& input,
                                  const SegmentSet& output, const std::vector<bool>& also = {});
+
+/// The GeoJSON text byte by byte, but for geometries of polygons that are not as they were drawn: a
+/// Polygon or MultiPolygon of doubles takes their place, one without coordinates where nothing is
+/// left. Features keep ids, properties and other members. None where that cannot be done: places
+/// are not those of the text, or a geometry of a feature's several is not among the polygons.
+/// Requires: all polygons that were read, as they stand in the file.
+std::optional<Patch> patched_geojson(std::string_view text,
+                                     const std::vector<DrawnPolygon>& polygons);
 
 }  // namespace plumbline

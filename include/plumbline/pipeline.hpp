@@ -14,6 +14,7 @@
 #include "plumbline/arrange.hpp"
 #include "plumbline/check.hpp"
 #include "plumbline/edits.hpp"
+#include "plumbline/features.hpp"
 #include "plumbline/read.hpp"
 #include "plumbline/round.hpp"
 
@@ -70,6 +71,10 @@ struct PatchedFile {
 PatchedFile patched_file(const std::filesystem::path& file, std::string_view format,
                          const ReadOptions& options, const SegmentSet& input,
                          const SegmentSet& output);
+
+/// The same for a GeoJSON file whose polygons changed (`patched_geojson`). Throws: Error BadFile.
+PatchedFile patched_file(const std::filesystem::path& file, const ReadOptions& options,
+                         const std::vector<DrawnPolygon>& polygons);
 
 /// What the log of a repair, as `to_json` writes it, says was changed, and of which drawing: for
 /// `undo`.

@@ -118,4 +118,25 @@ PatchedFile patched_file(const std::filesystem::path& file, std::string_view for
   return result;
 }
 
+PatchedFile patched_file(const std::filesystem::path& file, const ReadOptions& options,
+                         const std::vector<DrawnPolygon>& polygons) {
+  PatchedFile result;
+  if (!std::filesystem::is_regular_file(file)) {
+    result.why_not = "what is read is no file";
+    return result;
+  }
+  InputFile bytes(file);
+  const std::string read_as = bytes.format(kFormats, options.format);
+  if (read_as != "geojson") {
+    result.why_not = fmt::format("a .geojson file is made of a .{} one", read_as);
+    return result;
+  }
+  std::optional<Patch> patch = patched_geojson(bytes.text(), polygons);
+  if (!patch) {
+    result.why_not = "its polygons are not found in the text";
+    return result;
+  }
+  return {std::move(patch->text), std::move(patch->replaced), ""};
+}
+
 }  // namespace plumbline
