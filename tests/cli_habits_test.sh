@@ -83,7 +83,7 @@ expect "help is a command" 0 'Commands:.*arrange.*check' "$plumbline" help
 expect "of a command, too" 0 'Usage: plumbline check .OPTIONS. FILE.*Comparison:.*--radius R' "$plumbline" help check
 expect "the version has a short form" 0 '^plumbline [0-9.]+$' "$plumbline" -V
 expect "help is of help" 0 'Commands:' "$plumbline" help help
-for command in '' arrange check engines eval info lar overlay random rooms select; do
+for command in '' arrange check coverage engines eval info lar overlay random rooms select validity; do
   expect "no line is longer than 100: help $command" 1 '^$' bash -c "'$plumbline' $command --help | grep -E '.{101}'"
 done
 expect "a command with a typing error" 2 '"chek"; did you mean check\?' "$plumbline" chek plan.svg
@@ -131,7 +131,7 @@ completes() {
   bash -c 'source ./complete.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _plumbline; echo "${COMPREPLY[@]}"' - "$@"
 }
 expect "commands are completed" 0 '^check$' completes plumbline ch
-expect "all of them" 0 '^arrange check minimise info rooms overlay select repair lar eval random engines help --help --version$' completes plumbline ''
+expect "all of them" 0 '^arrange check minimise info rooms overlay select coverage validity repair lar eval random engines help --help --version$' completes plumbline ''
 expect "of help, too" 0 '^check$' completes plumbline help ch
 expect "options" 0 '^--picture$' completes plumbline check plan.svg --pic
 expect "values" 0 '^geojson$' completes plumbline arrange plan.svg --format geo
@@ -146,7 +146,7 @@ expect "fish's, too" 0 'complete -c plumbline -n .__fish_seen_subcommand_from ch
 command -v zsh >/dev/null && expect "the completion is zsh" 0 '^$' zsh -n _plumbline
 command -v fish >/dev/null && expect "the completion is fish" 0 '^check[[:space:]]' fish --no-config -c 'source plumbline.fish; complete -C "plumbline ch"'
 expect "an unknown shell" 2 'not csh; did you mean zsh\? It is bash, zsh or fish' "$plumbline" completion csh
-for page in '' arrange check eval info lar overlay random rooms select; do
+for page in '' arrange check coverage eval info lar overlay random rooms select validity; do
   "$plumbline" man $page >page.1
   expect "the manual has a page: plumbline $page" 0 '^.TH PLUMBLINE.*.SH SYNOPSIS.*.SH EXAMPLES' cat page.1
   command -v man >/dev/null && expect "man has nothing to say against it" 0 '^$' bash -c 'LC_ALL=C.UTF-8 MANWIDTH=80 man --warnings -l page.1 2>&1 >/dev/null'

@@ -68,6 +68,10 @@ printf 'POLYGON ((0 0,2 0,2 2,0 2,0 0))\nLINESTRING (7 0,8 0)\n' >first.wkt
 expect "of an overlay" 0 '^$' summary_fits overlay first.wkt "$data/rooms.geojson" --how union
 expect "of a selection" 0 '^$' summary_fits select "$data/flat.dxf" 'WALLS - FURNITURE'
 expect "of a drawing in tiles" 0 '^$' fits summary arrange "$data/dwelling.svg" --tiles 3 --json
+printf 'POLYGON ((0 0,3 0,3 2,0 2,0 0))\nPOLYGON ((2 0,4 0,4 2,2 2,2 0))\nPOLYGON ((9 9,8 8,9 8,8 9,9 9))\n' >layer.wkt
+expect "of a coverage" 0 '^$' summary_fits coverage layer.wkt
+expect "of a clean one" 0 '^$' summary_fits coverage layer.wkt --clean -o clean.geojson
+expect "of valid polygons" 0 '^$' summary_fits validity layer.wkt --make-valid nonzero
 expect "of nothing" 0 '^$' summary_fits info empty.lines --lenient
 expect "of files that are written" 0 '^$' summary_fits arrange "$data/dwelling.svg" -o plan.json
 expect "of a structure" 0 '^$' summary_fits eval "$data/dwelling.svg"

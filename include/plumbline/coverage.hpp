@@ -56,7 +56,6 @@ struct CoverageFault {
 struct SizeLimit {
   std::optional<Rational> width, area;
 };
-bool is_within(const CoverageFault& fault, const SizeLimit& limit);
 
 /// All faults: overlaps and gaps by face, then vertices from left to right. Requires: the coverage
 /// is that of `input`. Cost: O(n log n), and the widths, some 10 ms each where they are no
@@ -80,6 +79,8 @@ struct CleanOptions {
   CoveragePolicy policy = CoveragePolicy::LongestBorder;
   SizeLimit gaps, overlaps;
 };
+/// Whether a gap or an overlap is within its limit; vertices always are.
+bool is_within(const CoverageFault& fault, const CleanOptions& options);
 
 /// A face that is in one polygon now.
 struct Reassigned {

@@ -23,6 +23,8 @@ constexpr const char* kDescription =
     "  plumbline rooms plan.dxf -o rooms.geojson --picture rooms.svg\n"
     "  plumbline overlay parcels.geojson zones.geojson -o pieces.geojson\n"
     "  plumbline select plan.dxf \"WALLS - DOORS\" -o walls.geojson\n"
+    "  plumbline coverage parcels.geojson --clean -o clean.geojson\n"
+    "  plumbline validity parcels.geojson\n"
     "  plumbline repair plan.dxf -o fixed.dxf --log fixes.json\n"
     "  plumbline check plan.svg --picture check.svg\n"
     "  plumbline check plan.svg --engine geos\n"
@@ -32,7 +34,8 @@ constexpr const char* kDescription =
     "  plumbline random 5000 -o random.lines\n\n"
     "plumbline help COMMAND tells the options of a command.";
 constexpr const char* kExitCodes =
-    "Exit codes: 0 done or agree, 1 exact and float result disagree, 2 bad input (also where "
+    "Exit codes: 0 done or agree, 1 exact and float result disagree, or polygons have faults, 2 "
+    "bad input (also where "
     "nothing of it, or not all that looks like geometry, is drawn: see --lenient) or usage, or a "
     "limit (--max-segments, --max-memory, --timeout), 3 internal; 130 after Ctrl-C, 143 after "
     "SIGTERM. However it ends, an output file is whole or not there.";
@@ -113,6 +116,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   RoomsArguments rooms;
   OverlayArguments overlay;
   SelectArguments select;
+  CoverageArguments coverage;
+  ValidityArguments validity;
   RepairArguments repair;
   LarArguments lar;
   EvalArguments eval;
@@ -126,6 +131,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   const std::pair rooms_command(add_command(app, rooms), &rooms);
   const std::pair overlay_command(add_command(app, overlay), &overlay);
   const std::pair select_command(add_command(app, select), &select);
+  const std::pair coverage_command(add_command(app, coverage), &coverage);
+  const std::pair validity_command(add_command(app, validity), &validity);
   const std::pair repair_command(add_command(app, repair), &repair);
   const std::pair lar_command(add_command(app, lar), &lar);
   const std::pair eval_command(add_command(app, eval), &eval);
@@ -150,8 +157,8 @@ std::variant<Command, Notice> parse(const std::vector<std::string>& given, std::
   if (pages.completion->parsed()) return Notice{completion(app, pages.shell), false};
   if (pages.manual->parsed()) return Notice{manual(app, pages.command), false};
   return called(arrange_command, check_command, minimise_command, info_command, rooms_command,
-                overlay_command, select_command, repair_command, lar_command, eval_command,
-                random_command, engines_command, tile_command);
+                overlay_command, select_command, coverage_command, validity_command, repair_command,
+                lar_command, eval_command, random_command, engines_command, tile_command);
 }
 
 }  // namespace plumbline::cli

@@ -8,10 +8,10 @@
 
 namespace plumbline::cli {
 
-using Command =
-    std::variant<ArrangeArguments, CheckArguments, MinimiseArguments, InfoArguments, RoomsArguments,
-                 OverlayArguments, SelectArguments, RepairArguments, LarArguments, EvalArguments,
-                 RandomArguments, EnginesArguments, TileArguments>;
+using Command = std::variant<ArrangeArguments, CheckArguments, MinimiseArguments, InfoArguments,
+                             RoomsArguments, OverlayArguments, SelectArguments, CoverageArguments,
+                             ValidityArguments, RepairArguments, LarArguments, EvalArguments,
+                             RandomArguments, EnginesArguments, TileArguments>;
 
 /// What is said instead of running: the help, the version, what others are made of.
 struct Notice {

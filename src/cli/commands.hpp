@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "plumbline/arrange.hpp"
+#include "plumbline/coverage.hpp"
 #include "plumbline/engine.hpp"
 #include "plumbline/engines/lar_show.hpp"
 #include "plumbline/minimise.hpp"
@@ -18,6 +19,7 @@
 #include "plumbline/read.hpp"
 #include "plumbline/repair.hpp"
 #include "plumbline/round.hpp"
+#include "plumbline/validity.hpp"
 
 namespace plumbline::cli {
 
@@ -153,6 +155,23 @@ struct SelectArguments : DrawingArguments {
   std::optional<std::string> picture;
 };
 
+struct CoverageArguments : DrawingArguments {
+  bool check = false, clean = false;  ///< the first where neither is said
+  CoveragePolicy policy = CoveragePolicy::LongestBorder;
+  std::optional<Rational> width, area;  ///< limits of gaps and overlaps
+  bool all_overlaps = false;            ///< these without limits
+  std::optional<std::size_t> listed;    ///< faults printed, of each kind
+  std::optional<std::string> output;
+  std::optional<std::string> format;  ///< of the output
+};
+
+struct ValidityArguments : DrawingArguments {
+  std::optional<ValidMeaning> meaning;  ///< by which polygons are made valid
+  std::optional<std::size_t> listed;    ///< polygons printed
+  std::optional<std::string> output;
+  std::optional<std::string> format;  ///< of the output
+};
+
 struct RepairArguments : InputArguments {
   RepairOptions repair;
   bool dry_run = false;
@@ -228,6 +247,8 @@ ExitCode run(const InfoArguments& arguments, Report& report);
 ExitCode run(const RoomsArguments& arguments, Report& report);
 ExitCode run(const OverlayArguments& arguments, Report& report);
 ExitCode run(const SelectArguments& arguments, Report& report);
+ExitCode run(const CoverageArguments& arguments, Report& report);
+ExitCode run(const ValidityArguments& arguments, Report& report);
 ExitCode run(const RepairArguments& arguments, Report& report);
 ExitCode run(const LarArguments& arguments, Report& report);
 ExitCode run(const EvalArguments& arguments, Report& report);

@@ -39,6 +39,22 @@ std::string file_of(const std::string& argument) {
   return argument == "-" ? "/dev/stdin" : argument;
 }
 
+void add_size(CLI::App& command, const std::string& name, std::optional<Rational>& size,
+              const std::string& what) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [&size, name](const std::string& text) {
+            try {
+              size = parse_decimal(text);
+            } catch (const Error&) {
+              throw Error(ErrorCode::BadInput, name + " is a number, in drawing units", {}, text);
+            }
+          },
+          what)
+      ->type_name("SIZE");
+}
+
 CLI::Validator integer(std::int64_t least, std::int64_t most) {
   const auto refuse = [least, most](const std::string& text) {
     std::int64_t value = 0;

@@ -18,6 +18,8 @@ CLI::App* add_command(CLI::App& app, InfoArguments& arguments);
 CLI::App* add_command(CLI::App& app, RoomsArguments& arguments);
 CLI::App* add_command(CLI::App& app, OverlayArguments& arguments);
 CLI::App* add_command(CLI::App& app, SelectArguments& arguments);
+CLI::App* add_command(CLI::App& app, CoverageArguments& arguments);
+CLI::App* add_command(CLI::App& app, ValidityArguments& arguments);
 CLI::App* add_command(CLI::App& app, RepairArguments& arguments);
 CLI::App* add_command(CLI::App& app, LarArguments& arguments);
 CLI::App* add_command(CLI::App& app, EvalArguments& arguments);
@@ -45,6 +47,9 @@ void add_drawing(CLI::App& command, DrawingArguments& arguments);
 void add_old_engine(CLI::App& command, DrawingArguments& arguments);
 /// --json, --quiet, --verbose and the limits.
 void add_common(CLI::App& command, CommonArguments& arguments);
+/// An exact number in drawing units.
+void add_size(CLI::App& command, const std::string& name, std::optional<Rational>& size,
+              const std::string& what);
 /// Lets only integers of 64 bits pass, from the least to the most. CLI11 takes nothing for 0 and
 /// lets negative ones overflow.
 inline constexpr auto kAnyInteger = std::numeric_limits<std::int64_t>::max();

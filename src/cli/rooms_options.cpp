@@ -1,29 +1,8 @@
 // The options of rooms.
 
 #include "cli/options.hpp"
-#include "plumbline/error.hpp"
 
 namespace plumbline::cli {
-namespace {
-
-void add_size(CLI::App& command, const std::string& name, std::optional<Rational>& size,
-              const std::string& what) {
-  command
-      .add_option_function<std::string>(
-          name,
-          [&size, name](const std::string& text) {
-            try {
-              size = parse_decimal(text);
-            } catch (const Error&) {
-              throw Error(ErrorCode::BadInput, name + " is a number, in drawing units", {}, text);
-            }
-          },
-          what)
-      ->type_name("SIZE");
-}
-
-}  // namespace
-
 CLI::App* add_command(CLI::App& app, RoomsArguments& arguments) {
   arguments.joins_drift = true;
   CLI::App* command =

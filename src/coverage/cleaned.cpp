@@ -103,18 +103,18 @@ CleanCoverage cleaned(const Coverage& coverage, const SegmentSet& input,
                       const std::vector<CoverageFault>& faults, const CleanOptions& options) {
   CleanCoverage result;
   Chooser chooser(coverage, options.policy);
-  const auto give = [&](CoverageFaultKind kind, const SizeLimit& limit) {
+  const auto give = [&](CoverageFaultKind kind) {
     const std::size_t first = result.changes.size();
     for (const CoverageFault& fault : faults) {
-      if (fault.kind != kind || !is_within(fault, limit)) continue;
+      if (fault.kind != kind || !is_within(fault, options)) continue;
       result.changes.push_back({fault, chooser.best_of(fault.face, fault.polygons)});
     }
     for (std::size_t i = first; i < result.changes.size(); ++i) {
       chooser.give(result.changes[i].fault.face, result.changes[i].to);
     }
   };
-  give(CoverageFaultKind::Overlap, options.overlaps);
-  give(CoverageFaultKind::Gap, options.gaps);
+  give(CoverageFaultKind::Overlap);
+  give(CoverageFaultKind::Gap);
   const Lists<RegionId> owners = chooser.owners();
   result.coverage = coverage_steps::straightened(
       coverage_steps::by_owners(coverage.complex, owners, coverage.polygons), input);

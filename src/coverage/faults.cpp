@@ -108,7 +108,9 @@ std::string to_text(CoverageFaultKind kind) {
   return "unmatched vertex";
 }
 
-bool is_within(const CoverageFault& fault, const SizeLimit& limit) {
+bool is_within(const CoverageFault& fault, const CleanOptions& options) {
+  if (fault.kind == CoverageFaultKind::UnmatchedVertex) return true;
+  const SizeLimit& limit = fault.kind == CoverageFaultKind::Gap ? options.gaps : options.overlaps;
   return (!limit.width || fault.width <= nearest_double(*limit.width)) &&
          (!limit.area || fault.area <= *limit.area);
 }

@@ -84,6 +84,8 @@ void check_command(const cli::OverlayArguments& arguments) {
   if (arguments.second.empty()) fail("one layer");
 }
 void check_command(const cli::SelectArguments& arguments) { check_input(arguments); }
+void check_command(const cli::CoverageArguments& arguments) { check_input(arguments); }
+void check_command(const cli::ValidityArguments& arguments) { check_input(arguments); }
 void check_command(const cli::RepairArguments& arguments) {
   check_input(arguments);
   const RepairOptions& repair = arguments.repair;
