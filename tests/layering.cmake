@@ -66,6 +66,7 @@ room(checker)
 set(room_of_cgal arrange)
 set(room_of_patch output)
 set(room_of_overlay regions)
+set(room_of_dissolve regions)
 
 # The room of a file in include/plumbline/ or src/, or what an include line names there.
 function(find_room path result)

@@ -9,6 +9,7 @@
 #include "plumbline/complex.hpp"
 #include "plumbline/coverage.hpp"
 #include "plumbline/diagnose.hpp"
+#include "plumbline/dissolve.hpp"
 #include "plumbline/edits.hpp"
 #include "plumbline/engine.hpp"
 #include "plumbline/engines/files.hpp"
