@@ -14,6 +14,7 @@ from plumbline.check import Answer, Cause, Check, Engine, Finding, FindingGroup,
 from plumbline.compare import Comparison, compare, compare_result
 from plumbline.cross_check import cross_check, engine_names, engine_parameters
 from plumbline.diagnosis import Defect, Diagnosis, InvalidRing, Opening, diagnose, validity
+from plumbline.dissolve import Dissolved, dissolve
 from plumbline.drawing import Drawing, read
 from plumbline.errors import Error, FileError, InternalError, LimitError, LossWarning
 from plumbline.evaluation import box, evaluate
@@ -26,8 +27,18 @@ from plumbline.maps import Map, r, s, t
 from plumbline.minimise import Minimised, minimise
 from plumbline.models import LarModel
 from plumbline.noding import node, polygonize, polygonize_full
+from plumbline.overlay import Overlay, OverlayPiece, overlay
 from plumbline.points import Points
 from plumbline.polygons import FacePolygons, Triangles, triangulate
+from plumbline.regions import (
+    Region,
+    difference,
+    intersection,
+    select,
+    symmetric_difference,
+    union,
+    union_all,
+)
 from plumbline.repair import Repair, repair
 from plumbline.rooms import Rooms, rooms
 from plumbline.rounding import RoundedArrangement, snap_round
@@ -45,6 +56,7 @@ __all__ = [
     "Comparison",
     "Defect",
     "Diagnosis",
+    "Dissolved",
     "Drawing",
     "Engine",
     "EngineConfiguration",
@@ -66,7 +78,10 @@ __all__ = [
     "Map",
     "Minimised",
     "Opening",
+    "Overlay",
+    "OverlayPiece",
     "Points",
+    "Region",
     "Repair",
     "RightRadii",
     "Rooms",
@@ -87,15 +102,19 @@ __all__ = [
     "compare_rules",
     "cross_check",
     "diagnose",
+    "difference",
+    "dissolve",
     "engine_names",
     "engine_parameters",
     "engines",
     "evaluate",
+    "intersection",
     "ladder",
     "lar",
     "lines",
     "minimise",
     "node",
+    "overlay",
     "polygonize",
     "polygonize_full",
     "r",
@@ -105,11 +124,15 @@ __all__ = [
     "rooms",
     "s",
     "same",
+    "select",
     "signature",
     "snap_round",
+    "symmetric_difference",
     "t",
     "triangulate",
     "undo",
+    "union",
+    "union_all",
     "validate",
     "validity",
     "verify",

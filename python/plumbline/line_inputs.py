@@ -41,7 +41,7 @@ def lines(
           ids, its column ``layer`` the layers, if there is one);
         - what has ``__geo_interface__``, and sequences of that;
         - the path of a drawing, as `read` takes it; well-known text, GeoJSON; bytes of WKB;
-        - `Lines`, which are returned as they are.
+        - `Lines`, which are returned as they are; a `Region`, whose exact sides they are.
     numbers : {"doubles", "decimals"}, optional
         What a float stands for: the number that it is (0.1 is
         3602879701896397/36028797018963968), or the decimal that it prints as (0.1 is 1/10). By
@@ -80,6 +80,7 @@ def lines(
     >>> plumbline.lines("LINESTRING (0 0, 1 0, 1 1)")
     <Lines: 2 segments of 1 items, floats as decimals>
     """
+    values = getattr(values, "_as_lines", values)
     if isinstance(values, Lines):
         if numbers not in (None, values.numbers) or any(
             extra is not None for extra in (points, ids, layers)

@@ -111,5 +111,6 @@ NB_MODULE(_core, m) {
   bind_rooms(m);
   bind_edits(m);
   bind_repair(m);
+  bind_regions(m);
   bind_lar(m);
 }

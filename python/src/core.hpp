@@ -50,6 +50,7 @@ void bind_rings(nb::module_& m);
 void bind_rooms(nb::module_& m);
 void bind_edits(nb::module_& m);
 void bind_repair(nb::module_& m);
+void bind_regions(nb::module_& m);  ///< with overlays
 
 /// A Python int, however large.
 nb::object int_of(const mpz_class& value);
