@@ -15,7 +15,7 @@ using namespace plumbline;
 namespace {
 
 using Corners = std::vector<Point>;
-constexpr unsigned kSeeds = 6;
+constexpr unsigned kSeeds = 2;
 
 /// One polygon of a ring, which may cross and run along itself.
 SegmentSet polygon(const Corners& corners) {
