@@ -74,8 +74,10 @@ void bind_files(nb::module_& m) {
           "In the file's own encoding.")
       .def_ro("replaced", &PatchedFile::replaced, "Elements that gave way to lines.")
       .def_ro("why_not", &PatchedFile::why_not, "\"\" where it is done.");
-  m.def("patched_file", &patched_file, nb::arg("file"), nb::arg("format"), nb::arg("options"),
-        nb::arg("input"), nb::arg("output"),
+  using OfSegments = PatchedFile(const std::filesystem::path&, std::string_view, const ReadOptions&,
+                                 const SegmentSet&, const SegmentSet&);
+  m.def("patched_file", static_cast<OfSegments*>(&patched_file), nb::arg("file"), nb::arg("format"),
+        nb::arg("options"), nb::arg("input"), nb::arg("output"),
         nb::sig("def patched_file(file: str, format: str, options: ReadOptions, input: SegmentSet, "
                 "output: SegmentSet) -> PatchedFile"),
         nb::call_guard<nb::gil_scoped_release>());
