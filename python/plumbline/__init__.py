@@ -12,6 +12,13 @@ from plumbline.arrangement import Arrangement, arrange, same, signature, validat
 from plumbline.certificate import Verdict, certificate, verify
 from plumbline.check import Answer, Cause, Check, Engine, Finding, FindingGroup, RightRadii, check
 from plumbline.compare import Comparison, compare, compare_result
+from plumbline.coverage import (
+    CleanCoverage,
+    CoverageFault,
+    coverage_clean,
+    coverage_faults,
+    coverage_is_valid,
+)
 from plumbline.cross_check import cross_check, engine_names, engine_parameters
 from plumbline.diagnosis import Defect, Diagnosis, InvalidRing, Opening, diagnose, validity
 from plumbline.dissolve import Dissolved, dissolve
@@ -46,6 +53,7 @@ from plumbline.rules import compare_rules
 from plumbline.sourced import Sourced
 from plumbline.structure import Struct, Structure
 from plumbline.undo import Undone, undo
+from plumbline.validation import is_valid, is_valid_reason, make_valid
 from plumbline.write import write
 
 __all__ = [
@@ -53,7 +61,9 @@ __all__ = [
     "Arrangement",
     "Cause",
     "Check",
+    "CleanCoverage",
     "Comparison",
+    "CoverageFault",
     "Defect",
     "Diagnosis",
     "Dissolved",
@@ -100,6 +110,9 @@ __all__ = [
     "compare",
     "compare_result",
     "compare_rules",
+    "coverage_clean",
+    "coverage_faults",
+    "coverage_is_valid",
     "cross_check",
     "diagnose",
     "difference",
@@ -109,9 +122,12 @@ __all__ = [
     "engines",
     "evaluate",
     "intersection",
+    "is_valid",
+    "is_valid_reason",
     "ladder",
     "lar",
     "lines",
+    "make_valid",
     "minimise",
     "node",
     "overlay",

@@ -112,5 +112,7 @@ NB_MODULE(_core, m) {
   bind_edits(m);
   bind_repair(m);
   bind_regions(m);
+  bind_coverage(m);
+  bind_validity(m);
   bind_lar(m);
 }

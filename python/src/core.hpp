@@ -51,6 +51,8 @@ void bind_rooms(nb::module_& m);
 void bind_edits(nb::module_& m);
 void bind_repair(nb::module_& m);
 void bind_regions(nb::module_& m);  ///< with overlays
+void bind_coverage(nb::module_& m);
+void bind_validity(nb::module_& m);
 
 /// A Python int, however large.
 nb::object int_of(const mpz_class& value);
