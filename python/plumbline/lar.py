@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 
 from plumbline import _core
 from plumbline._lar_chains import (
+    bool2d,
     boundaryCells,
     coboundary_0,
     coboundary_1,
@@ -61,6 +62,7 @@ __all__ = [
     "Result",
     "Struct",
     "arrange",
+    "bool2d",
     "boundaryCells",
     "box",
     "checkStruct",

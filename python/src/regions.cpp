@@ -59,6 +59,17 @@ std::tuple<RegionPolygons, std::size_t, std::vector<SegmentId>> selected(
   return {region_polygons(complex, faces), count, std::move(found.open)};
 }
 
+/// Per face the regions that it lies in by evenodd: region r has the segments from start r on.
+ListArrays regions_of_faces(const SegmentSet& input, const ExactComplex& complex,
+                            const std::vector<std::uint32_t>& starts) {
+  std::vector<Region> regions;
+  for (std::size_t r = 0; r + 1 < starts.size(); ++r) {
+    Region& region = regions.emplace_back();
+    for (std::size_t s = starts[r]; s < starts[r + 1]; ++s) region.segments.emplace_back(s);
+  }
+  return arrays(plumbline::regions_of_faces(label(input, complex, std::move(regions))));
+}
+
 /// All pieces as one.
 RegionPolygons whole(const Overlay& overlay) {
   FaceSet faces(overlay.complex.face_count());
@@ -130,6 +141,8 @@ void bind_regions(nb::module_& m) {
   m.def("dissolve", &dissolved, nb::arg("input"), nb::arg("groups"), nb::arg("rule"),
         nb::arg("threads"), nb::call_guard<nb::gil_scoped_release>(),
         "Per group what its polygons cover.");
+  m.def("regions_of_faces", &regions_of_faces, nb::arg("input"), nb::arg("complex"),
+        nb::arg("starts"));
   m.def("select", &selected, nb::arg("input"), nb::arg("expression"), nb::arg("rule"),
         nb::arg("threads"), nb::call_guard<nb::gil_scoped_release>());
 }

@@ -308,3 +308,29 @@ def test_results_can_be_pickled() -> None:
 def test_what_cannot_be_done_is_refused(bad: Any) -> None:
     with pytest.raises(plumbline.Error):
         bad()
+
+
+def test_bool2d_of_a_grid_and_its_turned_copy_is_what_shapely_has() -> None:
+    import shapely
+
+    grid = lar.larCuboids([3, 2])
+    turned = lar.Struct([lar.t(1.5, 0.25), lar.r(0.4), grid])
+    W, copEV, copFE, matrix = lar.bool2d(lar.Struct([grid, turned]))
+    areas = {}
+    for name, chain in {"A": matrix[:, 0], "B": matrix[:, 1], "A & B": matrix.all(axis=1)}.items():
+        boundary = copFE.T @ chain.astype(np.int8)
+        tails, heads = (copEV == -1).argmax(axis=1), (copEV == 1).argmax(axis=1)
+        (ax, ay), (bx, by) = W[tails].T, W[heads].T
+        areas[name] = float((boundary * (ax * by - bx * ay)).sum() / 2)
+    a = shapely.box(0, 0, 3, 2)
+    corners = [np.array(c) for c in ((0, 0), (3, 0), (3, 2), (0, 2))]
+    turn = np.array([[np.cos(0.4), -np.sin(0.4)], [np.sin(0.4), np.cos(0.4)]])
+    b = shapely.Polygon([turn @ c + (1.5, 0.25) for c in corners])
+    expected = {"A": a.area, "B": b.area, "A & B": shapely.intersection(a, b).area}
+    assert areas == pytest.approx(expected, rel=1e-12)
+    assert matrix.any(axis=1).all()  # inner sides of the grids part nothing
+
+
+def test_bool2d_refuses_nothing() -> None:
+    with pytest.raises(plumbline.Error, match="without models"):
+        lar.bool2d(lar.Struct([]))

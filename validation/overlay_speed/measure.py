@@ -109,7 +109,10 @@ output on); Clipper2's paths have no nesting. "Invalid for it": the rings of a s
                 if isinstance(ours, str):
                     sys.exit(f"{name} {n}: {ours}")
                 cells = [seconds(ours)] + [cell(found[other], ours) for other in others]
-                memory = ["-" if isinstance(found[k], str) else f"{found[k][1]:.0f}" for k in (first, "iOverlay i64", "Clipper2")]
+                memory = [
+                    "-" if isinstance(found[k], str) else f"{found[k][1]:.0f}"
+                    for k in (first, "iOverlay i64", "Clipper2")
+                ]
                 print(f"| {name} {n} | {edges} | {ours[2]} | {' | '.join(cells)} | {', '.join(memory)} |", flush=True)
 
 

@@ -36,7 +36,10 @@ def spiral(n):
         turns = math.sqrt(n) / 8
         places = [(i / (n // 2)) * turns * 2 * math.pi for i in range(1, n // 2 + 1)]
         inner = [(round(4000 * t * math.cos(t + phase)), round(4000 * t * math.sin(t + phase))) for t in places]
-        outer = [(round((4000 * t + 15000) * math.cos(t + phase)), round((4000 * t + 15000) * math.sin(t + phase))) for t in places]
+        outer = [
+            (round((4000 * t + 15000) * math.cos(t + phase)), round((4000 * t + 15000) * math.sin(t + phase)))
+            for t in places
+        ]
         return inner + outer[::-1]
 
     return "xor evenodd free", [band(0)], [band(math.pi)]
@@ -49,8 +52,11 @@ def windows(n):
 
 
 def nested(n):
-    return "xor evenodd free", [square(-2 * i - 2, -2 * i - 2, 4 * i + 4) for i in range(n)], [
-        square(-2 * i - 1, -2 * i - 1, 4 * i + 2) for i in range(n)]
+    return (
+        "xor evenodd free",
+        [square(-2 * i - 2, -2 * i - 2, 4 * i + 4) for i in range(n)],
+        [square(-2 * i - 1, -2 * i - 1, 4 * i + 2) for i in range(n)],
+    )
 
 
 def scattered(n):
