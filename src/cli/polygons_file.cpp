@@ -11,7 +11,12 @@ void write_polygons(const Output& output, const DrawingArguments& arguments, con
   const std::string_view format = format_of(output);
   std::string text;
   if (format == "geojson") {
-    PatchedFile patched = patched_file(drawing.file, arguments.reading, polygons);
+    PatchedFile patched;
+    if (arguments.unit_square) {
+      patched.why_not = "the drawing was mapped to the unit square";
+    } else {
+      patched = patched_file(drawing.file, arguments.reading, polygons);
+    }
     report.set("properties_kept", patched.why_not.empty());
     if (!patched.why_not.empty()) {
       report.print("properties are not kept: {}\n", patched.why_not);
