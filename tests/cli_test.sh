@@ -10,8 +10,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/support/expect.sh"
 expect "help shows the commands and an example" 0 'arrange.*check.*info' "$plumbline" --help
 expect "each command's help has an example" 0 'plumbline check plan.svg --radius' "$plumbline" check --help
 expect "the version is told" 0 '^plumbline [0-9]+\.[0-9]+\.[0-9]+$' "$plumbline" --version
-expect "no command is a usage error" 2 'which command.*arrange, check, engines, eval, info, lar, minimise, random' "$plumbline"
-expect "an unknown command names the known ones" 2 'unknown command.*"draw".*arrange, check, engines, eval, info, lar, minimise, random' "$plumbline" draw x.svg
+expect "no command is a usage error" 2 'which command.*arrange, check, coverage, engines, eval, info, lar, minimise, overlay, random, repair, rooms, select, validity' "$plumbline"
+expect "an unknown command names the known ones" 2 'unknown command.*"draw".*arrange, check, coverage, engines, eval, info, lar, minimise, overlay, random, repair, rooms, select, validity' "$plumbline" draw x.svg
 expect "an unknown option is a usage error" 2 'radios' "$plumbline" check a.svg --radios 1
 expect "a missing file is said by name" 2 'none\.svg' "$plumbline" info none.svg
 expect "a directory is no drawing" 2 'plumbline: ' "$plumbline" info .
