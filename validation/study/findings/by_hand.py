@@ -130,7 +130,7 @@ class Verdict:
     right: tuple[int, int, int]
     said: tuple[int, int, int | None]
     fits: bool
-    """Whether doubles can hold a right answer."""
+    """Whether the nearest doubles hold a right answer."""
 
     @property
     def is_wrong(self) -> bool:
@@ -152,7 +152,7 @@ def main(files: list[str]) -> int:
         said = ", ".join("-" if n is None else str(n) for n in found.said)
         right = ", ".join(map(str, found.right))
         word = "wrong" if found.is_wrong else "no difference in numbers"
-        fits = "" if found.fits else "; no doubles hold the right answer"
+        fits = "" if found.fits else "; the nearest doubles do not hold the right answer"
         print(f"{name}: vertices, edges, faces: exact {right}; said {said}; {word}{fits}")
     return 0
 

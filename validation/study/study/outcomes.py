@@ -2,9 +2,10 @@
 
 Loud, where the engine itself says that something is wrong: *error*, *crash*, *timeout*, *memory*.
 Silently wrong: *invalid*, where the answer by itself is no complex (edges cross, faces overlap or
-leave gaps); *topology*, where it is one, but another one. Right: *moved*, the same cells with
-vertices further away than doubles need, or as near as that and yet with edges that cross when
-their ends are taken as what they are; *identical*.
+leave gaps); *topology*, where it is one, but another one, or a vertex is further away than
+`FURTHEST` tolerances. Right: *moved*, the same cells with vertices further away than doubles need,
+or as near as that and yet with edges that cross when their ends are taken as what they are;
+*identical*.
 """
 
 from __future__ import annotations
@@ -43,6 +44,9 @@ _GRAVEST_FIRST = {
     ("edge", "split"): "edge split",
 }
 IDENTICAL = 2.0**-51  # of the largest coordinate: two units in its last place
+FURTHEST = 1000.0
+"""Tolerances that a vertex may be away from where it should be. Where sides are nearly parallel,
+rounding their ends moves a crossing much further than the ends."""
 _SHARE, _OF_LARGEST = 1e-9, 2.0**-46  # the tolerance that `plumbline.check` has by itself
 
 
@@ -102,11 +106,16 @@ def judgements(
 ) -> dict[str, Judgement]:
     """Of all truths that there are for this drawing and this engine."""
     found: dict[str, Judgement] = {}
+    once: dict[tuple[int, float], Judgement] = {}  # truths are often one
     largest = largest_coordinate(case)
     for name in names:
         truth = truths.of(name, of)
         if truth is not None:
-            found[name] = judge(reply, truth, tolerance_of(case, name, of), largest)
+            tolerance = tolerance_of(case, name, of)
+            key = (id(truth), tolerance)
+            if key not in once:
+                once[key] = judge(reply, truth, tolerance, largest)
+            found[name] = once[key]
     return found
 
 
@@ -124,6 +133,8 @@ def _judged(comparison: Comparison, model: dict[str, Any], largest: float) -> Ju
             outcome = "moved"
     elif wrong:
         outcome, kind = "topology", gravest({(f.kind, f.disagreement) for f in wrong})
+    elif displacement > FURTHEST * comparison.tolerance:
+        outcome, kind = "topology", "vertex moved far"
     else:
         is_moved = bool(findings) or displacement > IDENTICAL * largest
         outcome, kind = "moved" if is_moved else "identical", ""

@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from study.engines import Configuration, Reply
-from study.outcomes import IDENTICAL, Judgement, gravest
+from study.outcomes import FURTHEST, IDENTICAL, Judgement, gravest
 from study.regions import (
     Difference,
     ExactPoint,
@@ -50,7 +50,7 @@ from study.regions import (
 )
 
 Floats = NDArray[np.float64]
-_FACTORS = (10.0, 100.0, 1000.0)
+_FACTORS = (10.0, 100.0, FURTHEST)
 _REACH = 4.0
 """Grid distances within which an answer on a grid has to stay. Rounding a point moves it by 0.71 of
 one: ends first, and crossings then. Sides that are cut and bent several times may move further."""
@@ -232,9 +232,8 @@ def _compared(
 ) -> tuple[Counter[tuple[str, str]], float]:
     """Findings of two boundaries by kind and disagreement, and the largest displacement.
 
-    Rounding the ends of sides that are nearly parallel moves their crossing much further than the
-    ends. So where the cells are the same ones if vertices match within more, up to a thousand
-    times the tolerance, they are moved.
+    Where the cells are the same ones if vertices match within more, up to `FURTHEST` times the
+    tolerance, they are moved.
     """
     first = _compared_within(truth, answer, tolerance)
     furthest = _FACTORS[-1] * tolerance

@@ -16,7 +16,7 @@ from study.regions import Region, region_of
 from study.results import Row
 from study.ring_families import RingCase, RingFamily, ring_case_of
 from study.schedule import RingBlock
-from study.truths import COARSE, Disagreement, least_feature
+from study.truths import COARSE, Disagreement, fits_doubles, least_feature
 from study.words import RINGS
 from study.work import Worker, row_of, signature
 
@@ -30,9 +30,9 @@ class RingTruth:
 
     @cached_property
     def fits_doubles(self) -> bool:
-        """Whether the boundary has the same cells when its vertices are rounded to doubles."""
+        """See `study.truths.fits_doubles`; of the boundary."""
         boundary = self.region.boundary_arrangement
-        return boundary is None or boundary.rounded().has_same_incidences
+        return boundary is None or fits_doubles(boundary)
 
     @cached_property
     def feature_size(self) -> float | None:

@@ -17,7 +17,7 @@ from functools import cached_property
 
 import numpy as np
 import plumbline
-from plumbline import Arrangement
+from plumbline import Arrangement, _core
 
 from study.engines import Configuration
 from study.families import Case, ExactSegment, largest_coordinate
@@ -114,12 +114,11 @@ class Truths:
         return least_feature(meant, Nearness(meant))
 
     def fits_doubles(self, truth: Arrangement | Numbers) -> bool:
-        """Whether a truth has the same cells when its vertices are rounded to doubles, so that an
-        answer in doubles can be right at all."""
+        """See `fits_doubles`."""
         if isinstance(truth, Numbers):
             return True
         if id(truth) not in self._fit:
-            self._fit[id(truth)] = truth.rounded().has_same_incidences
+            self._fit[id(truth)] = fits_doubles(truth)
         return self._fit[id(truth)]
 
     def ensure_both_engines(self) -> None:
@@ -146,6 +145,12 @@ class Truths:
         if promise == "some" or last.radius > distance / _READINGS:
             return None
         return Numbers(last.vertices, last.edges, last.faces)
+
+
+def fits_doubles(of: Arrangement) -> bool:
+    """Whether it has the same cells when each vertex is rounded to its nearest double. Where it has
+    not, other doubles may still hold the same cells."""
+    return _core.is_kept_by_simple_rounding(of._core, None)
 
 
 def least_feature(of: Arrangement, near: Nearness) -> float | None:

@@ -41,6 +41,12 @@ def test_right_answers_are_identical_or_moved() -> None:
     assert outcome(changed(V=[[0, 0], [2, 1e-7], [2, 2], [0, 2]]), 1e-9) == ("moved", "")
 
 
+def test_what_moved_by_more_than_a_thousand_tolerances_is_another_answer() -> None:
+    assert outcome(changed(V=[[0, 0], [2, 0.99e-6], [2, 2], [0, 2]]), 1e-9) == ("moved", "")
+    far = changed(V=[[0, 0], [2, 1.01e-6], [2, 2], [0, 2]])
+    assert outcome(far, 1e-9) == ("topology", "vertex moved far")
+
+
 @pytest.mark.parametrize(
     ("model", "kind"),
     [
@@ -177,6 +183,15 @@ def test_a_snap_distance_promises_what_all_readings_of_it_agree_about() -> None:
     assert truths.contract(replace(some, tolerance=0.002)) is truths.doubles
     assert truths.contract(configuration("none", 0)) is None
     assert truths.feature_size == pytest.approx(0.01)
+
+
+def test_what_fits_doubles_keeps_its_cells_at_the_nearest_ones() -> None:
+    above = F(4, 3) + F(1, 3 * 2**54)  # the edge at x = 2; the nearest double is below it
+    truth = plumbline.arrange([(0, 0, 6, 4), (2, above, 2, 9)])
+    assert truth.rounded().method == "nearest points"  # other doubles hold the same cells
+    case = Case(Unit("past an edge", 0, "unit", 0), None, [], [])
+    assert not Truths(case).fits_doubles(truth)
+    assert Truths(case).fits_doubles(plumbline.arrange([(0, 0, 6, 4), (2, F(5, 3), 2, 9)]))
 
 
 def test_each_truth_is_judged_once() -> None:
