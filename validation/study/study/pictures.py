@@ -5,13 +5,16 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
+from textwrap import fill
 
 import matplotlib
 
 matplotlib.use("svg")
 
 import numpy as np
+import pyarrow as pa
 import pyarrow.compute as pc
 from matplotlib import pyplot
 from matplotlib.axes import Axes
@@ -35,6 +38,7 @@ _COLOURS = {
 }
 _ROW, _COLUMN = 0.34, 0.34  # inches of a heat map's cell
 _LINES = ("-", "--", ":", "-.")
+_TILE_FONT, _TILE_LETTERS = 7, 38  # of titles of tiles, in a line
 _DECADES_OF_TIME = 200  # points of a profile
 
 matplotlib.rcParams.update(
@@ -260,46 +264,61 @@ def ulp_map(study: Study, family: str) -> Figure | None:
     rows = study.results.filter(pc.equal(study.results["family"], family))
     if not len(rows):
         return None
+    faces, tiles = _tiles(rows)
+    order = [e for e in study.engines if e in tiles]
+    columns = min(5, len(order) + 1)
+    lines = -(-(len(order) + 1) // columns)
+    size = (2.4 * columns, 2.9 * lines + 0.8)
+    figure, grid = pyplot.subplots(lines, columns, figsize=size, layout="constrained")
+    flat = list(np.atleast_1d(grid).flat)
+    for axes in flat:
+        axes.set_axis_off()
+    greens = pyplot.get_cmap("Greens").with_extremes(bad="#bbbbbb")
+    least, most = np.nanmin(faces.all), np.nanmax(faces.all)
+    flat[0].imshow(
+        faces.fitting, cmap=greens, vmin=least - 1, vmax=most + 1, origin="lower",
+        interpolation="nearest",
+    )  # fmt: skip
+    flat[0].set_title("exact: bounded faces\n" + _numbers(faces.all), fontsize=_TILE_FONT)
+    colours = ListedColormap([_COLOURS[o] for o in OUTCOMES])
+    norm = BoundaryNorm(np.arange(len(OUTCOMES) + 1) - 0.5, len(OUTCOMES))
+    for axes, engine in zip(flat[1:], order):
+        axes.imshow(tiles[engine], cmap=colours, norm=norm, origin="lower", interpolation="nearest")
+        axes.set_title(fill(study.of(engine), _TILE_LETTERS), fontsize=_TILE_FONT)
+    figure.legend(
+        handles=[Patch(color=_COLOURS[o], label=o) for o in OUTCOMES],
+        loc="outside lower center", ncols=min(len(OUTCOMES), 2 * columns), frameon=False,
+    )  # fmt: skip
+    side = len(faces.all)
+    figure.suptitle(f"{family[0].upper()}{family[1:]}, {side} x {side} doubles")
+    return figure
+
+
+@dataclass(frozen=True)
+class _Faces:
+    """Numbers of bounded faces of a map's drawings: of all, and of those whose cells doubles
+    hold."""
+
+    all: np.ndarray
+    fitting: np.ndarray
+
+
+def _tiles(rows: pa.Table) -> tuple[_Faces, dict[Engine, np.ndarray]]:
+    """What is there, and numbers of outcomes by engine: of each its largest map, if it is whole."""
     side = max(rows["size"].to_pylist())
     names = (*tables.ENGINE, "size", "seed", "outcome", "exact_faces", "fits_doubles")
     largest: dict[Engine, np.ndarray] = {}
-    faces = np.full((side, side), np.nan)
-    fits = np.ones((side, side), dtype=bool)
-    for *named, own, seed, outcome, exact, fit in zip(*(rows[n].to_pylist() for n in names)):
+    faces = _Faces(np.full((side, side), np.nan), np.full((side, side), np.nan))
+    for *named, own, seed, outcome, exact, fits in zip(*(rows[n].to_pylist() for n in names)):
         tile = largest.get(tuple(named))
         if tile is None or len(tile) < own:
             tile = largest[tuple(named)] = np.full((own, own), np.nan)
         if len(tile) == own:
             tile[divmod(seed, own)] = OUTCOMES.index(outcome)
         if own == side:
-            faces[divmod(seed, side)] = exact
-            fits[divmod(seed, side)] = fit
-    tiles = {e: tile for e, tile in largest.items() if not np.isnan(tile).any()}
-    order = [e for e in study.engines if e in tiles]
-    columns = min(4, len(order) + 1)
-    lines = -(-(len(order) + 1) // columns)
-    figure, grid = pyplot.subplots(lines, columns, figsize=(2.6 * columns, 2.9 * lines))
-    flat = list(np.atleast_1d(grid).flat)
-    for axes in flat:
-        axes.set_axis_off()
-    shown = np.where(fits, faces, np.nan)
-    greens = pyplot.get_cmap("Greens").with_extremes(bad="#bbbbbb")
-    least, most = np.nanmin(faces), np.nanmax(faces)
-    flat[0].imshow(
-        shown, cmap=greens, vmin=least - 1, vmax=most + 1, origin="lower", interpolation="nearest"
-    )
-    flat[0].set_title("exact: bounded faces\n" + _numbers(faces), fontsize=8)
-    colours = ListedColormap([_COLOURS[o] for o in OUTCOMES])
-    norm = BoundaryNorm(np.arange(len(OUTCOMES) + 1) - 0.5, len(OUTCOMES))
-    for axes, engine in zip(flat[1:], order):
-        axes.imshow(tiles[engine], cmap=colours, norm=norm, origin="lower", interpolation="nearest")
-        axes.set_title(study.of(engine).replace(": ", ":\n"), fontsize=8)
-    figure.legend(
-        handles=[Patch(color=_COLOURS[o], label=o) for o in OUTCOMES],
-        loc="lower center", ncols=len(OUTCOMES), frameon=False, bbox_to_anchor=(0.5, -0.06),
-    )  # fmt: skip
-    figure.suptitle(f"{family[0].upper()}{family[1:]}, {side} x {side} doubles", y=1.02)
-    return figure
+            place = divmod(seed, side)
+            faces.all[place], faces.fitting[place] = exact, exact if fits else np.nan
+    return faces, {e: tile for e, tile in largest.items() if not np.isnan(tile).any()}
 
 
 def _numbers(faces: np.ndarray) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import hashlib
 import html
 import io
 import sys
@@ -13,6 +14,7 @@ from pathlib import Path
 
 from study import responses, results, tables
 from study.pictures import pictures
+from study.summary import in_page, summary
 from study.tables import Study, Table
 
 _STYLE = """body { font: 15px/1.5 sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem }
@@ -64,6 +66,7 @@ def files(study: Study) -> dict[str, str]:
     drawn = {name: svg for part in parts for name, svg in pictures(part).items()}
     found = {f"{table.name}.csv": _csv(table) for table in made}
     found |= {f"{name}.svg": text for name, text in drawn.items()}
+    found["summary.md"] = f"{_summary(study)}\n\n{summary(parts[0])}"
     found["study.md"] = _markdown(study, made, drawn)
     found["index.html"] = _html(study, made, drawn)
     return found
@@ -166,14 +169,25 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="validation/study/report")
     parser.add_argument("results", type=Path)
     parser.add_argument("folder", type=Path)
+    parser.add_argument("--page", type=Path, help="where the summary is put between its marks")
     given = parser.parse_args()
     table = results.gather(given.results)
     if not len(table):
         print(f"no results in {given.results}", file=sys.stderr)
         return 2
     given.folder.mkdir(parents=True, exist_ok=True)
-    for name, text in files(Study(table)).items():
+    found = files(Study(table))
+    digest = hashlib.sha256(given.results.read_bytes()).hexdigest()
+    found["summary.md"] += f"\nThe file of results has the SHA-256 {digest}.\n"
+    for name, text in found.items():
         (given.folder / name).write_text(text, encoding="utf-8")
+    if given.page:
+        try:
+            page = in_page(given.page.read_text(encoding="utf-8"), found["summary.md"])
+        except ValueError as error:
+            print(f"{given.page}: {error}", file=sys.stderr)
+            return 2
+        given.page.write_text(page, encoding="utf-8")
     print(f"written: {given.folder / 'index.html'}")
     return 0
 

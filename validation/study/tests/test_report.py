@@ -14,7 +14,9 @@ from study.words import OUTCOMES, TRUTHS
 
 pytest.importorskip("matplotlib")
 
+from study.pictures import ulp_map
 from study.report import files
+from study.summary import in_page, summary
 from study.tables import Study, differences, family_table, nearness, orders
 
 
@@ -98,11 +100,52 @@ def test_a_report_is_the_same_bytes_twice_and_in_any_order_of_rows() -> None:
     assert "&lt;a&gt;" in first["index.html"] and "<a>" not in first["index.html"]
 
 
+def test_titles_of_a_map_are_apart() -> None:
+    rows = [
+        row(engine, "ulp map of a tee", seed, "doubles", "moved", configuration_title=title)
+        for engine, title in (("a", "a configuration that is told in many words " * 2), ("b", "b"))
+        for seed in range(9)
+    ]
+    figure = ulp_map(study_of(rows), "ulp map of a tee")
+    assert figure is not None
+    figure.draw_without_rendering()
+    texts = [axes.title for axes in figure.axes if axes.title.get_text()]
+    texts += [*figure.texts, *(figure.legends[0].get_texts())]
+    boxes = [text.get_window_extent() for text in texts]
+    assert len(boxes) == 3 + 1 + len(OUTCOMES)
+    assert not [1 for k, box in enumerate(boxes) if box.count_overlaps(boxes[:k])]
+    assert all(figure.bbox.containsx(x) for box in boxes for x in (box.x0, box.x1))
+
+
+def test_a_summary_has_the_best_configuration_of_each_engine() -> None:
+    rows = [row("a", "rings", s, "doubles", "identical") for s in range(4)]
+    worse = {"configuration": "a-d", "configuration_title": "worse"}
+    rows += [row("a", "rings", s, "doubles", "topology", **worse) for s in range(4)]
+    rows += [row("b", "rings", s, "doubles", "error" if s else "moved") for s in range(4)]
+    rows += [row("b", "rings", s, "intended", "moved", fits_doubles=s > 0) for s in range(4)]
+    assert summary(study_of(rows)).splitlines()[2:] == [
+        "| A 1.0: <a> | 4 | 100.0 (51.0-100.0) | <3/4 | <3/4 | - |",
+        "| B 1.0: <b> | 4 | 25.0 (4.6-69.9) | <3/4 | 75.0 (30.1-95.4) | 100.0 (43.9-100.0) |",
+    ]
+    assert summary(study_of([])) == ""
+
+
+def test_a_summary_is_put_between_the_marks_of_a_page() -> None:
+    page = "before\n<!-- validation/study/report -->\n{}<!-- end -->\nafter <!-- end -->\n"
+    once = in_page(page.format(""), "| \\1 |\n")
+    assert once == page.format("\n| \\1 |\n\n") == in_page(once, "| \\1 |\n")
+    for without in ("", page.split("<!-- end")[0], page.format("") * 2):
+        with pytest.raises(ValueError, match="no place"):
+            in_page(without, "")
+
+
 def test_engines_of_rings_have_tables_of_their_own() -> None:
     ring = {"group": "rings", "perimeter": 8.0, "compare_tolerance": 0.25, "area": 3.0}
     rows = [row("c", "squares", s, "doubles", "moved", **ring) for s in range(9)]
     found = files(study_of(rows))
-    assert not [name for name in found if not name.startswith(("rings_", "study", "index"))]
+    assert not [
+        name for name in found if not name.startswith(("rings_", "study.", "summary.", "index."))
+    ]
     assert found["rings_areas.csv"].splitlines()[1] == "C 1.0: <c>,9,1.5,1.5,0,-,-"
     both = files(study_of([*rows, *made()]))
     assert both["rings_areas.csv"] == found["rings_areas.csv"]
