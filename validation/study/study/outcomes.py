@@ -101,22 +101,53 @@ def tolerance_of(case: Case, name: str, of: Configuration) -> float:
     return max(own, of.tolerance, 4 * _rounding(case) if name == "intended" else 0.0)
 
 
+Known = dict[tuple[Any, ...], Judgement]
+"""Judgements of one drawing by truth, tolerance and answer: engines often say the same."""
+
+
 def judgements(
-    case: Case, truths: Truths, of: Configuration, reply: Reply, names: Iterable[str]
+    case: Case, truths: Truths, of: Configuration, reply: Reply, names: Iterable[str], known: Known
 ) -> dict[str, Judgement]:
-    """Of all truths that there are for this drawing and this engine."""
+    """Of all truths that there are for this drawing and this engine. What is `known` already is not
+    computed again; the rest is put there."""
     found: dict[str, Judgement] = {}
-    once: dict[tuple[int, float], Judgement] = {}  # truths are often one
     largest = largest_coordinate(case)
+    said = in_order(reply)
     for name in names:
         truth = truths.of(name, of)
         if truth is not None:
             tolerance = tolerance_of(case, name, of)
-            key = (id(truth), tolerance)
-            if key not in once:
-                once[key] = judge(reply, truth, tolerance, largest)
-            found[name] = once[key]
+            key = (id(truth), tolerance, said)
+            if key not in known:
+                known[key] = judge(reply, truth, tolerance, largest)
+            found[name] = known[key]
     return found
+
+
+def in_order(reply: Reply) -> tuple[Any, ...]:
+    """Equal for answers with the same vertices, edges and polygons, to the last digit, however they
+    are listed."""
+    model = reply.model
+    if model is None:
+        return reply.ending, reply.message
+    if not model.keys() <= {"V", "EV", "polygons"}:
+        return (repr(model),)
+    try:
+        places = dict(enumerate(tuple(p) for p in model["V"]))
+        edges = [tuple(sorted((places[a], places[b]))) for a, b in model.get("EV", ())]
+        polygons = [
+            [_from_least([places[v] for v in ring]) for ring in polygon]
+            for polygon in model.get("polygons", ())
+        ]
+        faces = sorted((outer, tuple(sorted(holes))) for outer, *holes in polygons)
+    except (KeyError, TypeError, ValueError):
+        return (repr(model),)  # unreadable
+    return tuple(sorted(places.values())), tuple(sorted(edges)), tuple(faces), tuple(sorted(model))
+
+
+def _from_least(ring: list[Any]) -> tuple[Any, ...]:
+    k = ring.index(min(ring)) if ring else 0
+    return (*ring[k:], *ring[:k])
 
 
 def _judged(comparison: Comparison, model: dict[str, Any], largest: float) -> Judgement:

@@ -16,7 +16,7 @@ from plumbline import Arrangement
 from study.dice import Dice
 from study.engines import Adapter, Configuration, Limits, NotHere, Reply
 from study.families import Case, Family, Unit, case_of
-from study.outcomes import Judgement, edges_of, faces_in, judgements
+from study.outcomes import Judgement, Known, edges_of, faces_in, judgements
 from study.results import Row
 from study.schedule import Block
 from study.truths import Truths
@@ -98,6 +98,7 @@ class Worker:
             truths = Truths(case)
             both = self._compared(truths, unit)
             drawing = _drawing(block.family, case, truths, both)
+            known: Known = {}
             for configuration, ratio in missing:
                 of = _with_ratio(configuration, ratio, truths)
                 if of is None or of.key in self._gone or late.get(of.key, 0) >= _TIMEOUTS:
@@ -112,7 +113,7 @@ class Worker:
                     self._gone.add(of.key)
                     continue
                 self._note(of.key, time.monotonic() - start, reply, late)
-                found = judgements(case, truths, of, reply, block.truths)
+                found = judgements(case, truths, of, reply, block.truths, known)
                 told = {**drawing, "ratio": ratio}
                 result += [_row(told, of, truths, reply, name, j) for name, j in found.items()]
         return result

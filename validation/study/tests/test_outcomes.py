@@ -10,7 +10,7 @@ import plumbline
 import pytest
 from study.engines import Configuration, Reply
 from study.families import Case, Family, Unit, case_of, fan, tees, turned_grid, turned_rooms
-from study.outcomes import judge, judgements
+from study.outcomes import in_order, judge, judgements
 from study.snapping import snap_rounded, snap_rounded_down
 from study.truths import Numbers, Truths
 
@@ -199,6 +199,29 @@ def test_each_truth_is_judged_once() -> None:
     truths = Truths(case)
     reply = Reply("model", 0.1, {"V": [], "EV": []})
     names = ("authored", "doubles", "intended", "contract")
-    found = judgements(case, truths, configuration("none", 0), reply, names)
+    found = judgements(case, truths, configuration("none", 0), reply, names, {})
     assert list(found) == ["authored", "doubles", "intended"]
     assert {j.outcome for j in found.values()} == {"topology"}
+
+
+def test_the_same_answer_is_told_however_it_is_listed() -> None:
+    same: dict[str, Any] = {
+        "V": [[2, 2], [0, 2], [0, 0], [2, 0]],
+        "EV": [[2, 0], [0, 1], [3, 2], [3, 0], [2, 1]],
+        "polygons": [[[0, 1, 2]], [[3, 0, 2]]],
+    }
+    assert in_order(Reply("model", 0.1, same)) == in_order(Reply("model", 0.2, RIGHT))
+    others = [
+        {"V": same["V"], "EV": same["EV"]},
+        same | {"V": [[2, 2], [0, 2], [0, 0], [2, 2**-52]]},
+        same | {"EV": same["EV"][:-1]},
+        same | {"EV": [*same["EV"], [2, 1]]},
+        same | {"polygons": [[[0, 1, 2]], [[3, 2, 0]]]},  # turned over
+        same | {"polygons": [[[0, 1, 9]]]},
+        same | {"polygons": [[[0, 1, -2]], [[-1, 0, 2]]]},
+        same | {"polygons": [[]]},
+        same | {"FV": []},
+    ]
+    told = [in_order(Reply("model", 0.1, model)) for model in others]
+    assert in_order(Reply("model", 0.1, RIGHT)) not in told
+    assert in_order(Reply("error", message="a")) != in_order(Reply("error", message="b"))
