@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from study import responses, results, tables
+from study.agreement import agreement
 from study.pictures import pictures
 from study.summary import in_page, summary
 from study.tables import Study, Table
@@ -59,10 +60,12 @@ def all_tables(study: Study) -> list[Table]:
     ]
 
 
-def files(study: Study) -> dict[str, str]:
-    """Contents by names."""
+def files(study: Study, again: Study | None = None) -> dict[str, str]:
+    """Contents by names; of engines of lines also what a run `again`, on other seeds, says."""
     parts = tables.of_lines_and_rings(study.all)
     made = [table for part in parts for table in all_tables(part)]
+    if again:
+        made.append(agreement(parts[0], tables.of_lines_and_rings(again.all)[0]))
     drawn = {name: svg for part in parts for name, svg in pictures(part).items()}
     found = {f"{table.name}.csv": _csv(table) for table in made}
     found |= {f"{name}.svg": text for name, text in drawn.items()}
@@ -170,13 +173,14 @@ def main() -> int:
     parser.add_argument("results", type=Path)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--page", type=Path, help="where the summary is put between its marks")
+    parser.add_argument("--again", type=Path, help="results of the same on other seeds")
     given = parser.parse_args()
     table = results.gather(given.results)
     if not len(table):
         print(f"no results in {given.results}", file=sys.stderr)
         return 2
     given.folder.mkdir(parents=True, exist_ok=True)
-    found = files(Study(table))
+    found = files(Study(table), Study(results.gather(given.again)) if given.again else None)
     digest = hashlib.sha256(given.results.read_bytes()).hexdigest()
     found["summary.md"] += f"\nThe file of results has the SHA-256 {digest}.\n"
     for name, text in found.items():

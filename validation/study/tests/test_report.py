@@ -14,6 +14,7 @@ from study.words import OUTCOMES, TRUTHS
 
 pytest.importorskip("matplotlib")
 
+from study.agreement import agreement
 from study.pictures import ulp_map
 from study.report import files
 from study.summary import in_page, summary
@@ -115,6 +116,23 @@ def test_titles_of_a_map_are_apart() -> None:
     assert len(boxes) == 3 + 1 + len(OUTCOMES)
     assert not [1 for k, box in enumerate(boxes) if box.count_overlaps(boxes[:k])]
     assert all(figure.bbox.containsx(x) for box in boxes for x in (box.x0, box.x1))
+
+
+def test_agreement_counts_cells_within_intervals() -> None:
+    def of(silent: int, count: int) -> Study:
+        wrong = ["topology"] * silent + ["moved"] * (count - silent)
+        return study_of([row("a", "rings", s, "doubles", o) for s, o in enumerate(wrong)])
+
+    def counts(first: Study, second: Study) -> list[tuple[Any, ...]]:
+        return [found[1:] for found in agreement(first, second).rows]
+
+    assert counts(of(2, 10), of(3, 10)) == [(1, 1, 1, 1)] * 2
+    assert counts(of(0, 4), of(10, 10)) == [(1, 0, 0, 0)] * 2
+    assert counts(of(2, 4), of(80, 100)) == [(1, 1, 0, 1)] * 2
+    assert agreement(of(0, 4), study_of([])).rows == [
+        (name, 0, 0, 0, 0) for name in ("doubles", "all")
+    ]
+    assert "agreement.csv" in files(of(2, 10), of(3, 10))
 
 
 def test_a_summary_has_the_best_configuration_of_each_engine() -> None:
