@@ -35,6 +35,7 @@ class Case:
     rule: str = "evenodd"
     expected: list[Layer] = field(default_factory=list)  # any of these
     area: str | None = None
+    rings: int | None = None  # of the result
     valid: bool | None = None  # whether `text` is, for the operation "valid"
     text: str = ""
     note: str = ""  # of the file, on what it expects
@@ -282,7 +283,7 @@ def clipper(file: Path) -> Iterator[Case | str]:
             elif into is not None and line:
                 numbers = re.findall(r"-?\d+", line)
                 into.append(list(zip(numbers[::2], numbers[1::2])))
-        area = values.get("SOL_AREA", "-1")
+        area, count = values.get("SOL_AREA", "-1"), int(values.get("SOL_COUNT", "-1"))
         yield Case(
             name,
             [paths["SUBJECTS"]],
@@ -290,5 +291,6 @@ def clipper(file: Path) -> Iterator[Case | str]:
             CLIPPER[values["CLIPTYPE"]],
             values["FILLRULE"].lower(),
             area=None if area == "-1" else area,
+            rings=None if count == -1 else count,
             rounded_to_one=True,
         )

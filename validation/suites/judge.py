@@ -29,6 +29,7 @@ class Verdict:
     kind: str  # "equal", "rounded", "expectation wrong", "laws", "ours wrong"
     reason: str = ""
     by_slabs: bool = False  # whether that confirmed our result, to the last digit
+    same_rings: bool | None = None  # whether there are as many as is expected; None: nothing is
 
 
 def text_of(layer: Layer) -> str:
@@ -101,6 +102,8 @@ def judged(case: Case) -> Verdict:
     else:
         verdict = Verdict("laws")
     verdict.by_slabs = bool(slabs)
+    if case.rings is not None:
+        verdict.same_rings = case.rings == sum(len(polygon) for polygon in ours.polygons)
     if verdict.kind == "expectation wrong" and not slabs:
         verdict = Verdict("not decided", verdict.reason)
     return verdict
@@ -111,7 +114,10 @@ def _judged_valid(case: Case) -> Verdict:
     is_binary = all(c in "0123456789abcdefABCDEF" for c in text)
     lines = plumbline.lines(bytes.fromhex(text) if is_binary else text)
     if not len(lines):
-        return Verdict("equal" if case.valid else "not decided", "nothing is left of it that could be valid or not")
+        return Verdict(
+            "equal" if case.valid else "not decided",
+            "nothing is left of it that could be valid or not",
+        )
     valid = not plumbline.validity(lines)
     return Verdict("equal") if valid == case.valid else Verdict("ours wrong", f"valid: {valid}")
 
