@@ -60,6 +60,19 @@ truncate -s -5 kept/3.part
 expect "a part that is lost when its segments are gone is no answer" 2 '3\.segments' "$plumbline" arrange random.lines --tiles 8 -o kept
 expect "a folder of another drawing is refused" 2 'tiles of another drawing' "$plumbline" arrange grid.lines --tiles 8 -o kept
 
+# gone: no folder for temporary files is left, at once or soon.
+# shellcheck disable=SC2317 # expect calls it
+gone() { for _ in $(seq 100); do compgen -G 'tmp/*' >/dev/null || return 0; sleep 0.05; done; return 1; }
+mkdir tmp
+for signal in INT TERM KILL; do
+  TMPDIR=$PWD/tmp "$plumbline" arrange random.lines --tiles 64 -q &
+  driver=$!
+  for _ in $(seq 100); do compgen -G 'tmp/*/manifest' >/dev/null || sleep 0.02; done
+  kill -$signal $driver 2>/dev/null
+  wait $driver 2>/dev/null
+  expect "ended by $signal it leaves nothing behind" 0 '^$' gone
+done
+
 # ---- What is refused
 expect "what tiles do not make" 2 'not with --tiles.*--both-engines' "$plumbline" arrange random.lines --tiles 2 --both-engines
 expect "a number of tiles" 2 'tiles' "$plumbline" arrange random.lines --tiles 0

@@ -1,5 +1,6 @@
 // Drawings larger than memory: `arrange --tiles`, and the processes that it starts.
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -23,28 +24,71 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder that -o names, or one that is removed.
-class Folder {
+/// Starts a process with this program's signals. Returns its number.
+template <class Then>
+::pid_t start_process(Then then) {
+  const ::pid_t child = ::fork();
+  if (child < 0) throw Error(ErrorCode::Limit, "cannot start a process");
+  if (child > 0) return child;
+  ::sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  then();
+  ::_exit(kInternal);
+}
+
+/// A folder for temporary files that is gone when this process is, however it ends: a shell waits
+/// for the end of a pipe that this process holds open, and removes it.
+class TemporaryFolder {
  public:
-  explicit Folder(const std::optional<std::string>& output) : is_kept_(output.has_value()) {
-    if (output) {
-      path_ = *output;
-      std::error_code error;
-      fs::create_directories(path_, error);
-      if (error) throw Error(ErrorCode::BadFile, "cannot make this folder", {*output, 0, 0});
-      return;
-    }
+  TemporaryFolder() {
     std::string name = (fs::temp_directory_path() / "plumbline-tiles-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
+    int ends[2] = {-1, -1};
+    if (::mkdtemp(name.data()) == nullptr || ::pipe2(ends, O_CLOEXEC) != 0) {
       throw Error(ErrorCode::BadFile, "cannot make a folder for temporary files", {name, 0, 0});
     }
     path_ = name;
+    open_ = ends[1];
+    remover_ = start_process([&] {
+      ::setsid();
+      ::dup2(ends[0], STDIN_FILENO);
+      const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+      ::dup2(nowhere, STDOUT_FILENO);
+      ::dup2(nowhere, STDERR_FILENO);
+      ::execl("/bin/sh", "sh", "-c", "read -r _; sleep 0.3; exec rm -rf -- \"$0\"", name.c_str(),
+              nullptr);
+    });
+    ::close(ends[0]);
   }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
     std::error_code ignored;
-    if (!is_kept_) fs::remove_all(path_, ignored);
+    fs::remove_all(path_, ignored);
+    ::kill(remover_, SIGKILL);
+    ::waitpid(remover_, nullptr, 0);
+    ::close(open_);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  int open_ = -1;
+  ::pid_t remover_ = 0;
+};
+
+/// The folder that -o names, or a temporary one.
+class Folder {
+ public:
+  explicit Folder(const std::optional<std::string>& output) {
+    if (!output) {
+      path_ = temporary_.emplace().path();
+      return;
+    }
+    path_ = *output;
+    std::error_code error;
+    fs::create_directories(path_, error);
+    if (error) throw Error(ErrorCode::BadFile, "cannot make this folder", {*output, 0, 0});
   }
   const fs::path& path() const { return path_; }
   /// What is not needed once all is done.
@@ -57,8 +101,8 @@ class Folder {
   }
 
  private:
+  std::optional<TemporaryFolder> temporary_;
   fs::path path_;
-  bool is_kept_;
 };
 
 /// Processes that arrange tiles, some at a time.
@@ -111,18 +155,12 @@ class Workers {
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     const std::string errors = errors_of(tile).string();
-    const ::pid_t child = ::fork();
-    if (child < 0) throw Error(ErrorCode::Limit, "cannot start a process");
-    if (child == 0) {
+    const ::pid_t child = start_process([&] {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-      ::sigset_t none;
-      ::sigemptyset(&none);
-      ::sigprocmask(SIG_SETMASK, &none, nullptr);
       if (std::freopen(errors.c_str(), "w", stderr) != nullptr) {
         ::execv("/proc/self/exe", argv.data());
       }
-      ::_exit(kInternal);
-    }
+    });
     running_[child] = tile;
   }
 
@@ -130,7 +168,7 @@ class Workers {
     int status = 0;
     const ::pid_t child = ::waitpid(-1, &status, 0);
     const auto found = running_.find(child);
-    ensure(found != running_.end(), "a process that was started ends");
+    if (found == running_.end()) return;
     const std::uint64_t tile = found->second;
     running_.erase(found);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
