@@ -67,8 +67,9 @@ std::vector<Rejected> for_each_piece(const std::filesystem::path& drawing,
     }
     line += static_cast<std::uint32_t>(std::count(lines.begin(), lines.end(), '\n'));
   }
-  if (file.bad())
+  if (file.bad()) {
     throw Error(ErrorCode::BadFile, "cannot be read to its end", {drawing.string(), 0, 0});
+  }
   return rejected;
 }
 
