@@ -43,6 +43,15 @@ expect "and its properties, whatever they are" 0 '"name": "parcels".*"tags": \{"
 expect "what did not change stays byte by byte" 0 '"geometry": \{"coordinates": \[\[\[\[20, 0\], \[21, 0\], \[21, 1\.50\], \[20, 0\]\]\]\], "type": "MultiPolygon"\}' cat clean.geojson
 expect "by another policy" 0 'overlap to parcels.geojson:2:2 Polygon #7' "$plumbline" coverage parcels.geojson --clean --policy smallest
 expect "a clean coverage stays as it is" 0 '' bash -c "'$plumbline' coverage clean.geojson --clean -o again.geojson -q && cmp clean.geojson again.geojson"
+cat >digits.geojson <<'JSON'
+{"type": "FeatureCollection", "features": [
+ {"type": "Feature", "properties": {"n": 1}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[35.404040839167621,0.3],[36.007957465146603,64.546479119733903],[0,60],[0,0]]]}},
+ {"type": "Feature", "properties": {"n": 2}, "geometry": {"type": "Polygon", "coordinates": [[[35.404040839167621,0.3],[70,0],[70,60],[36.007957465146603,64.546479119733903],[35.404040839167621,0.3]]]}},
+ {"type": "Feature", "properties": {"n": 3}, "geometry": {"type": "Polygon", "coordinates": [[[69,0],[99,0],[99,60],[69,60],[69,0]]]}}
+]}
+JSON
+expect "longer decimals than doubles have" 0 'wrote' "$plumbline" coverage digits.geojson --clean -o digits.clean.geojson
+expect "are written alike by all neighbours" 0 '^valid: 3 polygons' "$plumbline" coverage digits.clean.geojson
 expect "an unknown policy names the known ones" 2 'longest-border' "$plumbline" coverage squares.wkt --clean --policy best
 expect "an output needs --clean" 2 'needs --clean' "$plumbline" coverage squares.wkt -o x.geojson
 expect "nothing is written over the input" 2 'overwrite' "$plumbline" coverage parcels.geojson --clean -o parcels.geojson

@@ -84,7 +84,7 @@ using PolygonParts = std::vector<std::vector<std::vector<PointD>>>;
 struct DrawnPolygon {
   Source source;
   PolygonParts parts;        ///< none: nothing is left of it
-  bool is_as_drawn = false;  ///< whether its sides are what they were
+  bool is_as_drawn = false;  ///< whether its sides are what they were, to the last digit
   Rational area = 0;         ///< of all parts, **exact**, before rounding
 };
 /// Those of a coverage, in its order; neighbours share vertices. Requires: the coverage is made of

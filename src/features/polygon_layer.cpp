@@ -39,6 +39,19 @@ Sides sides_of(const PolygonParts& parts) {
   return result;
 }
 
+/// Whether the drawing has the very decimals that are written for its points: else what is written
+/// of a neighbour would be a hair off.
+bool is_written_so(const Region& polygon, const SegmentSet& input) {
+  const auto is_same = [](const Number& number, double rounded) {
+    return number == parse_number(shortest_text(rounded));
+  };
+  return std::ranges::all_of(polygon.segments, [&](SegmentId s) {
+    const auto n = input.segments.numbers(s);
+    const PointD p = nearest(NumberPoint{n[0], n[1]});
+    return is_same(n[0], p.x) && is_same(n[1], p.y);
+  });
+}
+
 Source source_of(const Region& polygon, const SegmentSet& input) {
   if (polygon.segments.empty()) return {};
   return input.sources[input.segment_source[polygon.segments.front()]];
@@ -61,7 +74,8 @@ std::vector<DrawnPolygon> drawn_polygons(const Coverage& coverage, const Segment
     for (const FacePolygon& part : owned[r]) {
       drawn.parts.push_back(features::parts(rounding.complex, part));
     }
-    drawn.is_as_drawn = sides_of(drawn.parts) == sides_of(polygon, input);
+    drawn.is_as_drawn =
+        sides_of(drawn.parts) == sides_of(polygon, input) && is_written_so(polygon, input);
   }
   return result;
 }
