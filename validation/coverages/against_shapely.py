@@ -143,7 +143,7 @@ def main(program, count):
     print("whose corners are integers. *coverage*: GEOS says that neither overlaps nor unmatched vertices are there; *the same verdict*: so")
     print("does Plumbline. Then both give overlaps and gaps of any width to the polygon with the longest border. *clean*: the result is a")
     print("coverage, by GEOS; *whole*: its area is that of the union with the gaps, to 1e-9 of it; *moved*: a vertex is more than 1e-9 from all")
-    print("corners and crossings of the layer.\n")
+    print("corners and crossings of the layer; *all areas the same*: both chose the same polygons.\n")
     print("| family | layers | coverage | the same verdict | clean: Plumbline, GEOS | whole | moved | all areas the same |")
     print("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |")
     wrong = []
