@@ -155,7 +155,7 @@ def tolerance_response(study: Study, truth: str) -> Figure | None:
     for axes, group in zip(grid[0], groups):
         axes.set_title(group, fontsize=9)
     grid[0, 0].set_ylim(-0.05, 1.05)
-    ticks = [_NO_TOLERANCE, -12, -6, 0]
+    ticks = [_NO_TOLERANCE, -10, -5, 0]
     grid[0, 0].set_xticks(ticks, ["0", *(f"1e{k}" if k else "1" for k in ticks[1:])])
     figure.supxlabel("tolerance / least feature that was meant", y=0, fontsize=9)
     title = f"Drawings right (blue) and silently wrong (orange); truth: {truth}"

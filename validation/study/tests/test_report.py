@@ -157,6 +157,13 @@ def test_a_summary_is_put_between_the_marks_of_a_page() -> None:
             in_page(without, "")
 
 
+def test_the_page_of_the_study_has_the_summary_beside_its_tables() -> None:
+    root = Path(__file__).resolve().parents[3]
+    page = (root / "docs/study.md").read_text(encoding="utf-8")
+    told = (root / "validation/results/study/lines/summary.md").read_text(encoding="utf-8")
+    assert in_page(page, told) == page
+
+
 def test_engines_of_rings_have_tables_of_their_own() -> None:
     ring = {"group": "rings", "perimeter": 8.0, "compare_tolerance": 0.25, "area": 3.0}
     rows = [row("c", "squares", s, "doubles", "moved", **ring) for s in range(9)]
