@@ -113,7 +113,7 @@ def silent_by_family(study: Study, truth: str) -> dict[tuple[Engine, str], Share
         into = grouped[key[:4], family_title(*key[4:])]
         for outcome, n in numbers.items():
             into[outcome] = into.get(outcome, 0) + n
-    return {key: share(numbers, SILENT) for key, numbers in grouped.items()}
+    return {key: share(grouped[key], SILENT) for key in sorted(grouped)}  # Arrow has no order
 
 
 def family_table(study: Study, truth: str) -> Table:

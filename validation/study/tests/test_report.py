@@ -18,7 +18,7 @@ from study.agreement import agreement
 from study.pictures import ulp_map
 from study.report import files
 from study.summary import in_page, summary
-from study.tables import Study, differences, family_table, nearness, orders
+from study.tables import Study, differences, family_table, nearness, orders, silent_by_family
 
 
 def row(engine: str, family: str, seed: int, truth: str, outcome: str, **more: Any) -> results.Row:
@@ -162,6 +162,12 @@ def test_the_page_of_the_study_has_the_summary_beside_its_tables() -> None:
     page = (root / "docs/study.md").read_text(encoding="utf-8")
     told = (root / "validation/results/study/lines/summary.md").read_text(encoding="utf-8")
     assert in_page(page, told) == page
+
+
+def test_shares_are_in_order_whatever_order_rows_have() -> None:
+    rows = made()[::-1]
+    shares = silent_by_family(Study(pa.Table.from_pylist(rows, schema=results.SCHEMA)), "doubles")
+    assert len(shares) == 4 and list(shares) == sorted(shares)
 
 
 def test_engines_of_rings_have_tables_of_their_own() -> None:
