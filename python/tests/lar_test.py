@@ -316,10 +316,11 @@ def test_bool2d_of_a_grid_and_its_turned_copy_is_what_shapely_has() -> None:
     grid = lar.larCuboids([3, 2])
     turned = lar.Struct([lar.t(1.5, 0.25), lar.r(0.4), grid])
     W, copEV, copFE, matrix = lar.bool2d(lar.Struct([grid, turned]))
+    edges, faces = copEV.toarray(), copFE.toarray()
     areas = {}
     for name, chain in {"A": matrix[:, 0], "B": matrix[:, 1], "A & B": matrix.all(axis=1)}.items():
-        boundary = copFE.T @ chain.astype(np.int8)
-        tails, heads = (copEV == -1).argmax(axis=1), (copEV == 1).argmax(axis=1)
+        boundary = faces.T @ np.asarray(chain, dtype=np.int8)
+        tails, heads = (edges == -1).argmax(axis=1), (edges == 1).argmax(axis=1)
         (ax, ay), (bx, by) = W[tails].T, W[heads].T
         areas[name] = float((boundary * (ax * by - bx * ay)).sum() / 2)
     a = shapely.box(0, 0, 3, 2)
