@@ -38,6 +38,10 @@ printf 'LINESTRING (0 0,1 0)\n' >line.wkt
 cat line.wkt first.wkt >mixed.wkt
 expect "what closes nothing is said" 0 'left out: 1 segment that closes nothing, the first of mixed.wkt:1' "$plumbline" overlay mixed.wkt second.wkt
 expect "a layer without polygons is no answer" 2 'line.wkt.*no.*polygon' bash -c "'$plumbline' overlay first.wkt line.wkt 2>&1 | sed 's/nothing/no/'; exit \${PIPESTATUS[0]}"
+echo '{"type":"FeatureCollection","features":[]}' >empty.geojson
+expect "of nothing and a layer the layer stays" 0 'union of 2 polygons and 0 polygons: 2 pieces, area 8' "$plumbline" overlay first.wkt empty.geojson --how union
+expect "and nothing is in both" 0 '0 pieces, area 0' "$plumbline" overlay empty.geojson first.wkt
+expect "lines count as nothing where that is wanted" 0 'difference of 2 polygons and 0 polygons: 2 pieces' "$plumbline" overlay first.wkt line.wkt --how difference --lenient
 expect "an unknown word names the known ones" 2 'intersection, union' "$plumbline" overlay first.wkt second.wkt --how both
 expect "one layer is not enough" 2 'SECOND is missing' "$plumbline" overlay first.wkt
 expect "neither input is overwritten" 2 'overwrite' "$plumbline" overlay first.wkt second.wkt -o second.wkt

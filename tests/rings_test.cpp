@@ -102,15 +102,14 @@ TEST_CASE("a ring may be open, or have too few points") {
   CHECK(problems(wkt("MULTIPOLYGON (((0 0, 0 1, 3 1, 3 0)))")) ==
         "Ring is not closed [3 0]: outer ring of MultiPolygon is not closed\n");
   CHECK(problems(wkt("POLYGON ((0 0, 4 0, 0 0))")) ==
-        "Too few distinct points in geometry component [0 0]: outer ring of Polygon has less than "
+        "Too few points in geometry component [0 0]: outer ring of Polygon has less than "
         "three distinct points\n");
 }
 
 TEST_CASE("a ring without length is told beside one that has some") {
-  CHECK(
-      problems(wkt("POLYGON ((0 0, 4 0, 4 4, 0 0), (1 1, 1 1, 1 1, 1 1))")) ==
-      "Too few distinct points in geometry component [0 0]: hole 1 of Polygon has less than three "
-      "distinct points\n");
+  CHECK(problems(wkt("POLYGON ((0 0, 4 0, 4 4, 0 0), (1 1, 1 1, 1 1, 1 1))")) ==
+        "Too few points in geometry component [0 0]: hole 1 of Polygon has less than three "
+        "distinct points\n");
   CHECK(problems(wkt("POLYGON ((1 1, 1 1, 1 1, 1 1)); LINESTRING (0 0, 1 0)")).empty());
 }
 

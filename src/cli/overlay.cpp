@@ -19,22 +19,24 @@
 namespace plumbline::cli {
 namespace {
 
+constexpr const char* kWayOut = "; --lenient goes on without it";
+
 SegmentSet read_layer(const OverlayArguments& arguments, const std::string& file) {
   const Progress progress("reading " + file, arguments);
   SegmentSet input = evaluate(read(file, arguments.reading), limits_of(arguments));
   ensure_all_drawn(arguments, file, input.rejected,
                    input.segments.empty() && !(input.rejected.empty() && input.labels.empty()));
+  // An empty layer is one; lines in place of polygons are a mistake, and no answer about nothing.
+  const bool has_lines = !input.segments.empty();
+  if (has_lines && !arguments.lenient &&
+      regions(input, RegionKind::Polygon, arguments.rule).empty()) {
+    throw Error(ErrorCode::BadInput,
+                "nothing of the file is a polygon or a closed line (lines that enclose areas: "
+                "plumbline rooms, or arrange --cells faces -o, makes polygons of them)" +
+                    std::string(kWayOut),
+                {file, 0, 0});
+  }
   return input;
-}
-
-/// A layer without polygons is a mistake, and no answer about nothing.
-void ensure_polygons(const OverlayArguments& arguments, const Overlay& overlay) {
-  const std::size_t second = overlay.regions.size() - overlay.first_count;
-  if (overlay.first_count > 0 && second > 0) return;
-  throw Error(ErrorCode::BadInput,
-              "nothing of the file is a polygon or a closed line (lines that enclose areas: "
-              "plumbline rooms, or arrange --cells faces -o, makes polygons of them)",
-              {overlay.first_count == 0 ? arguments.file : arguments.second, 0, 0});
 }
 
 std::vector<std::string> elements_of(const Overlay& overlay, const std::vector<RegionId>& ids) {
@@ -101,7 +103,6 @@ ExitCode run(const OverlayArguments& arguments, Report& report) {
         arguments);
     return overlay(std::move(first), second, arguments.how, arguments.rule, arguments.threads);
   }();
-  ensure_polygons(arguments, made);
   set_losses(report, made.input);
   summarise(made, arguments.how, report);
   report.print("{}", to_text(made, arguments.how, arguments.listed));

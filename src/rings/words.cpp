@@ -13,7 +13,7 @@ struct Names {
 };
 constexpr std::array<Names, kRingFaults> kNames{{
     {"ring not closed", "Ring is not closed"},
-    {"too few points", "Too few distinct points in geometry component"},
+    {"too few points", "Too few points in geometry component"},
     {"crossing", "Self-intersection"},
     {"runs along", "Self-intersection"},
     {"touches itself", "Ring Self-intersection"},
