@@ -80,6 +80,9 @@ expect "no drawing" 2 'nothing.lines' "$plumbline" arrange nothing.lines --tiles
 printf '0,0,1,1\n0,0,x,1\n' >broken.lines
 expect "a row that is none, with its line" 2 'broken.lines:2' "$plumbline" arrange broken.lines --tiles 2
 expect "goes on where that is wanted" 0 '2 vertices, 1 edges' "$plumbline" arrange broken.lines --tiles 2 --lenient
+"$plumbline" arrange broken.lines --tiles 2 -o broken.tiles -q 2>/dev/null
+expect "nor is what is lost forgotten in its folder" 2 'not all of the drawing.*1 items' "$plumbline" arrange broken.lines --tiles 2 -o broken.tiles
+expect "tiles of a drawing that is read in another way are others" 2 'another way' "$plumbline" arrange broken.lines --tiles 2 -o broken.tiles --shortest-decimals --lenient
 : >empty.lines
 expect "nothing" 2 'no segments' "$plumbline" arrange empty.lines --tiles 2
 finish

@@ -245,6 +245,14 @@ ExitCode run_in_tiles(const ArrangeArguments& arguments, Report& report) {
                           });
   }();
   ensure_all_drawn(arguments, arguments.file, rejected, false);
+  if (const tiles::Manifest done = tiles::read_manifest(folder.path());
+      done.lost > 0 && !arguments.lenient) {
+    throw Error(ErrorCode::BadInput,
+                fmt::format("not all of the drawing is in these tiles: {} items that look like "
+                            "geometry could not be read; --lenient goes on without them",
+                            done.lost),
+                {arguments.file, 0, 0});
+  }
   Workers workers(arguments, folder.path());
   {
     Progress progress("arranging tiles", arguments);
@@ -254,8 +262,8 @@ ExitCode run_in_tiles(const ArrangeArguments& arguments, Report& report) {
   const tiles::Totals totals = tiles::merged(folder.path());
   folder.remove_segments();
   report.set("segments", manifest.segments);
-  report.set("rejected", rejected.size());
-  report.set("lost", count_lost(rejected));
+  report.set("rejected", manifest.rejected);
+  report.set("lost", manifest.lost);
   report.set("tiles", manifest.tiles.size());
   report.set("workers", workers.count());
   report.set("vertices", totals.vertices);

@@ -52,9 +52,9 @@ bool has_manifest(const std::filesystem::path& folder) {
 
 void write_manifest(const std::filesystem::path& folder, const Manifest& manifest) {
   const Bounds& b = manifest.bounds;
-  std::string text =
-      fmt::format("{}\ndrawing {}\nsegments {}\ndigits {}\nnext {}\n", kTitle,
-                  line_text(manifest.drawing), manifest.segments, manifest.digits, manifest.next);
+  std::string text = fmt::format(
+      "{}\ndrawing {}\nrejected {} {}\nsegments {}\ndigits {}\nnext {}\n", kTitle, manifest.drawing,
+      manifest.rejected, manifest.lost, manifest.segments, manifest.digits, manifest.next);
   text += fmt::format("bounds {} {} {} {}\n", text_of(b.left), text_of(b.bottom), text_of(b.right),
                       text_of(b.top));
   for (const Tile& tile : manifest.tiles) {
@@ -76,6 +76,8 @@ Manifest read_manifest(const std::filesystem::path& folder) {
     words >> word;
     if (word == "drawing") {
       std::getline(words >> std::ws, result.drawing);
+    } else if (word == "rejected") {
+      words >> result.rejected >> result.lost;
     } else if (word == "segments") {
       words >> result.segments;
     } else if (word == "digits") {

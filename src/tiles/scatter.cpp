@@ -15,13 +15,24 @@
 namespace plumbline::tiles {
 namespace {
 
-/// The file, its size and when it was written.
-std::string identity(const std::filesystem::path& drawing) {
+/// How a drawing is read.
+std::string text_of(const ReadOptions& o) {
+  std::string text = fmt::format("{} {} {} {}{}{}{} {}", o.format, exact_text(o.chord_tolerance),
+                                 shortest_text(o.angle_bound), int{o.hidden}, int{o.hatches},
+                                 int{o.join_curves}, int{o.shortest_decimals}, o.layer_property);
+  for (const std::string& layer : o.layers) text += " +" + layer;
+  for (const std::string& layer : o.without_layers) text += " -" + layer;
+  return text;
+}
+
+/// The file, its size, when it was written, and how it is read.
+std::string identity(const std::filesystem::path& drawing, const ReadOptions& options) {
   std::error_code error;
   const auto size = std::filesystem::file_size(drawing, error);
-  if (error) return drawing.string();
+  const std::string how = text_of(options);
+  if (error) return line_text(drawing.string() + " " + how);
   const auto time = std::filesystem::last_write_time(drawing, error).time_since_epoch().count();
-  return fmt::format("{} {} {}", drawing.string(), size, time);
+  return line_text(fmt::format("{} {} {} {}", drawing.string(), size, time, how));
 }
 
 /// What a first reading tells: bounds, and x of some ends.
@@ -174,8 +185,9 @@ std::vector<Rejected> scatter(const std::filesystem::path& drawing, const ReadOp
                               std::size_t tiles, const std::filesystem::path& folder,
                               const Told& told) {
   if (has_manifest(folder)) {
-    if (read_manifest(folder).drawing == identity(drawing)) return {};
-    throw Error(ErrorCode::BadInput, "the folder has tiles of another drawing",
+    if (read_manifest(folder).drawing == identity(drawing, options)) return {};
+    throw Error(ErrorCode::BadInput,
+                "the folder has tiles of another drawing, or of one read in another way",
                 {folder.string(), 0, 0});
   }
   Survey survey;
@@ -192,7 +204,9 @@ std::vector<Rejected> scatter(const std::filesystem::path& drawing, const ReadOp
     throw Error(ErrorCode::BadInput, "it has no segments", {drawing.string(), 0, 0});
   }
   Manifest manifest = survey.manifest(std::max<std::size_t>(tiles, 1));
-  manifest.drawing = identity(drawing);
+  manifest.drawing = identity(drawing, options);
+  manifest.rejected = rejected.size();
+  manifest.lost = count_lost(rejected);
   Scattering scattering(folder, manifest.tiles);
   number = 0;
   for_each_piece(drawing, options, [&](const SegmentSet& piece) {

@@ -23,7 +23,9 @@ struct Tile {
 };
 
 struct Manifest {
-  std::string drawing;  ///< the file, its size and when it was written
+  std::string drawing;  ///< the file, its size, when it was written, how it is read
+  std::uint64_t rejected = 0,
+                lost = 0;  ///< items of the drawing; of these, what looks like geometry
   Bounds bounds;
   std::uint64_t segments = 0;  ///< of the drawing
   int digits = 0;              ///< most decimals of a sample of coordinates
